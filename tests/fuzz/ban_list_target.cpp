@@ -1,27 +1,13 @@
 #include <algorithm>
 
 #include "server/admin/ban_list.h"
+#include "tests/fuzz/error_faults.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
 const UtcTime kNow = UtcTime(std::chrono::hours(500'000));
-
-std::string errorsFault(const std::vector<Diagnostic>& errors, std::string_view text) {
-  if (errors.empty() || errors.size() > BanList::kMaxErrors + 1) return "no error, or too many";
-  const auto lines = std::count(text.begin(), text.end(), '\n') + 1;
-  int line = 1;
-  for (const Diagnostic& one : errors) {
-    const bool inText = one.line >= line && one.line <= lines && one.column >= 1 &&
-                        one.column <= static_cast<std::int64_t>(text.size()) + 1;
-    if (!inText) return "an error outside the text or out of order";
-    line = one.line;
-    const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
-    if (!std::all_of(one.message.begin(), one.message.end(), printable)) return "an unprintable message";
-  }
-  return {};
-}
 
 // A ban that holds is found, except for loopback, and the one found lasts at least as long.
 std::string findFault(const BanList& list) {
@@ -59,7 +45,8 @@ std::string changeFault(BanList list) {
 std::string banListFault(Bytes bytes) {
   const std::string text(bytes.begin(), bytes.end());
   const auto parsed = BanList::parse(text);
-  if (const auto* errors = std::get_if<std::vector<Diagnostic>>(&parsed)) return errorsFault(*errors, text);
+  if (const auto* errors = std::get_if<std::vector<Diagnostic>>(&parsed))
+    return errorsFault(*errors, BanList::kMaxErrors, text);
   const auto& list = std::get<BanList>(parsed);
   if (list.text() != text) return "the list has another text";
   if (std::string fault = findFault(list); !fault.empty()) return fault;

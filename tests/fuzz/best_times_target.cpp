@@ -1,27 +1,13 @@
 #include <algorithm>
 
 #include "server/times/best_times.h"
+#include "tests/fuzz/error_faults.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
 const DatedTime kTime{{100, "Ann"}, UtcTime(std::chrono::hours(500'000))};
-
-std::string errorsFault(const std::vector<Diagnostic>& errors, std::string_view text) {
-  if (errors.empty() || errors.size() > BestTimes::kMaxErrors + 1) return "no error, or too many";
-  const auto lines = std::count(text.begin(), text.end(), '\n') + 1;
-  int line = 1;
-  for (const Diagnostic& one : errors) {
-    const bool inText = one.line >= line && one.line <= lines && one.column >= 1 &&
-                        one.column <= static_cast<std::int64_t>(text.size()) + 1;
-    if (!inText) return "an error outside the text or out of order";
-    line = one.line;
-    const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
-    if (!std::all_of(one.message.begin(), one.message.end(), printable)) return "an unprintable message";
-  }
-  return {};
-}
 
 bool isReadAgain(const BestTimes& times) {
   const std::string text = times.text();
@@ -50,7 +36,8 @@ std::string changeFault(BestTimes times) {
 std::string bestTimesFault(Bytes bytes) {
   const std::string text(bytes.begin(), bytes.end());
   const auto parsed = BestTimes::parse(text);
-  if (const auto* errors = std::get_if<std::vector<Diagnostic>>(&parsed)) return errorsFault(*errors, text);
+  if (const auto* errors = std::get_if<std::vector<Diagnostic>>(&parsed))
+    return errorsFault(*errors, BestTimes::kMaxErrors, text);
   const auto& times = std::get<BestTimes>(parsed);
   return isReadAgain(times) ? changeFault(times) : "times are not read again";
 }

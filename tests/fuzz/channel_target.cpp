@@ -13,7 +13,7 @@ namespace {
 using Side = SealedChannel::Side;
 
 constexpr std::uint16_t kSlot = 0x0102;
-constexpr int kMaxSteps = 200;
+constexpr int kMaxChannelSteps = 200;
 
 /// One direction of a session. The network repeats, reorders, drops and changes datagrams.
 class Direction {
@@ -126,7 +126,7 @@ std::string channelFault(Bytes input) {
   ByteSource bytes(input);
   Direction direction(bytes.flag() ? Side::kClient : Side::kServer);
   std::string fault;
-  for (int i = 0; i < kMaxSteps && !bytes.empty() && fault.empty(); ++i) fault = direction.step(bytes);
+  for (int i = 0; i < kMaxChannelSteps && !bytes.empty() && fault.empty(); ++i) fault = direction.step(bytes);
   return fault;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int kMaxSteps = 150;
+constexpr int kMaxHandshakeSteps = 150;
 constexpr auto kVersion = static_cast<std::uint16_t>(kProtocolVersion);
 
 /// The attacker, who is in charge of everything that happens.
@@ -17,7 +17,7 @@ class Attacker {
   explicit Attacker(ByteSource& bytes) : bytes_(bytes), world_(setup()) {}
 
   std::string run() {
-    for (int i = 0; i < kMaxSteps && !bytes_.empty() && world_.fault().empty(); ++i) step();
+    for (int i = 0; i < kMaxHandshakeSteps && !bytes_.empty() && world_.fault().empty(); ++i) step();
     world_.checkNewcomer();
     return world_.fault();
   }

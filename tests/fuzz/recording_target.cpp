@@ -16,7 +16,7 @@
 namespace platon::fuzz {
 namespace {
 
-constexpr std::uint32_t kMaxTicks = 64;
+constexpr std::uint32_t kMaxRecordedTicks = 64;
 
 const std::shared_ptr<const Level>& level() {
   static const std::shared_ptr<const Level> loaded =
@@ -28,7 +28,7 @@ const std::shared_ptr<const Level>& level() {
 std::vector<std::uint8_t> recorded(ByteSource& bytes) {
   Game game(level());
   Recorder recorder(game, static_cast<std::uint32_t>(bytes.below(8)) + 1);
-  for (std::size_t ticks = bytes.below(kMaxTicks); ticks > 0; --ticks) {
+  for (std::size_t ticks = bytes.below(kMaxRecordedTicks); ticks > 0; --ticks) {
     std::vector<Input> inputs(bytes.below(4));
     for (Input& input : inputs) input = validInput(bytes.byte() | Input::kPresent);
     game.advance(inputs);
@@ -55,7 +55,8 @@ std::string play(const RecordedBlock& block) {
   if (!std::all_of(block.inputs.begin(), block.inputs.end(), isInput)) return "a block has an invalid input";
   Game game(level());
   if (!game.restore(block.state)) return {};
-  for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMaxTicks); ++tick) game.advance(block.inputsOf(tick));
+  for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMaxRecordedTicks); ++tick)
+    game.advance(block.inputsOf(tick));
   return {};
 }
 

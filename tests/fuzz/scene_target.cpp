@@ -17,7 +17,7 @@ using step_check::toSegment;
 using step_check::toVec;
 
 constexpr std::size_t kMaxEntities = 3;
-constexpr std::size_t kMaxTicks = 16;
+constexpr std::size_t kMaxSceneTicks = 16;
 constexpr std::int32_t kMaxTurn = 1200;
 // Largest rounding error of a leg, subunits.
 constexpr long double kLegError = 8;
@@ -54,7 +54,7 @@ class Run {
       if (std::string fault = addEntity(); !fault.empty()) return fault;
       if (i == 0) break;
     }
-    for (std::size_t tick = 0; tick < kMaxTicks && !bytes_.empty(); ++tick) {
+    for (std::size_t tick = 0; tick < kMaxSceneTicks && !bytes_.empty(); ++tick) {
       if (std::string fault = advance(); !fault.empty()) return "tick " + std::to_string(tick) + ": " + fault;
     }
     return {};

@@ -6,15 +6,13 @@
 #include "protocol/limits.h"
 #include "protocol/transport/server_list.h"
 #include "tests/fuzz/byte_source.h"
+#include "tests/fuzz/error_faults.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
-bool isSentence(const std::string& error) {
-  return !error.empty() && error.size() <= 200 &&
-         std::all_of(error.begin(), error.end(), [](char byte) { return byte >= ' ' && byte <= '~'; });
-}
+bool isSentence(const std::string& error) { return !error.empty() && error.size() <= 200 && isPrintable(error); }
 
 std::string readFault(const std::string& text) {
   const auto read = readServerList(text);

@@ -4,14 +4,14 @@
 #include "client/ui/controls/input_mapper.h"
 #include "client/ui/controls/key_names.h"
 #include "client/ui/settings.h"
+#include "tests/fuzz/error_faults.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
-bool isSentence(const std::string& error) {
-  return error.starts_with("line ") && error.size() <= 200 &&
-         std::all_of(error.begin(), error.end(), [](char byte) { return byte >= ' ' && byte <= '~'; });
+bool namesALine(const std::string& error) {
+  return error.starts_with("line ") && error.size() <= 200 && isPrintable(error);
 }
 
 std::string keysFault(const Bindings& bindings) {
@@ -60,7 +60,7 @@ std::string rereadFault(const SettingsResult& result) {
 
 std::string settingsFault(Bytes bytes) {
   const SettingsResult result = parseSettings(std::string(bytes.begin(), bytes.end()));
-  if (!std::all_of(result.errors.begin(), result.errors.end(), isSentence)) return "an error that is no sentence";
+  if (!std::all_of(result.errors.begin(), result.errors.end(), namesALine)) return "an error that is no sentence";
   if (result.errors.size() < result.unknownLines.size()) return "an unknown line is not told";
   if (std::string fault = keysFault(result.settings.bindings); !fault.empty()) return fault;
   if (std::string fault = menuFault(result.settings); !fault.empty()) return fault;

@@ -7,7 +7,7 @@ namespace platon {
 namespace {
 
 // The local player between the last two predicted ticks; at the last one if it was absent in the one before.
-InterpolatedPlayer localPlayer(const Round& round) {
+InterpolatedPlayer predictedPlayer(const Round& round) {
   const Prediction& prediction = round.prediction();
   const std::span<const EntityState> before = prediction.predictedBefore();
   InterpolatedPlayer local;
@@ -53,7 +53,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::v
   source.fraction = round->predictedFraction();
   source.others = round->interpolationBuffer().players();
   source.localSlot = prediction.slot();
-  source.local = localPlayer(*round);
+  source.local = predictedPlayer(*round);
   source.localOffset = prediction.smoothing(now);
   source.names = session.names();
   updateRoundTrips(session, now);

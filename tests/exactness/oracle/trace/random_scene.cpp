@@ -12,7 +12,7 @@ constexpr std::int64_t kEntities = 8;
 constexpr auto kShapes =
     std::to_array({ShapeKind::Any, ShapeKind::ManyVertices, ShapeKind::Ball, ShapeKind::Needle, ShapeKind::Box});
 
-Vec half(Vec v) { return {v.x / 2, v.y / 2}; }
+Vec halfOf(Vec v) { return {v.x / 2, v.y / 2}; }
 
 /// A chain of segments, each starting within two subunits of the end of the last one.
 void addChain(Scene& scene, RandomSource& random) {
@@ -97,7 +97,7 @@ Scene randomScene(RandomSource& random) {
     scene.shape = randomShape(kShapes[random.below(kShapes.size())], scene.scale, random);
     if (scene.shape.size() == 16) scene.scale = std::max<std::int64_t>(scene.scale, 1 << 15);
     const Box box = boxOf(scene.shape);
-    const Vec centre = half(box.low + box.high);
+    const Vec centre = halfOf(box.low + box.high);
     for (Vec& corner : scene.shape) corner = corner - centre;
     addLines(scene, random);
     for (std::int64_t i = 0; i < kEntities; ++i)

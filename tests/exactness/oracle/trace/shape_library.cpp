@@ -5,7 +5,7 @@
 namespace platon::oracle {
 namespace {
 
-constexpr long double kRounding = 1;
+constexpr long double kMaxRounding = 1;
 
 }  // namespace
 
@@ -17,7 +17,8 @@ bool ShapeLibrary::isRotatedBase(std::size_t angle, const Polygon& polygon) cons
   const Isometry turn(static_cast<std::int64_t>(angle), {}, {});
   const auto fits = [&](std::size_t shift) {
     for (std::size_t i = 0; i < base_.size(); ++i)
-      if (distance(turn.apply(toReal(base_[i])), toReal(polygon[(i + shift) % base_.size()])) > kRounding) return false;
+      if (distance(turn.apply(toReal(base_[i])), toReal(polygon[(i + shift) % base_.size()])) > kMaxRounding)
+        return false;
     return true;
   };
   // A rotation may map the shape onto itself. A trace may then omit the shape, although its first vertex differs.
