@@ -68,7 +68,7 @@ run_ctest() {
   case $preset in
     tsan) ;;
     asan-ubsan) jobs=$((jobs + 1)) ;;
-    *) jobs=$((jobs + 2)) ;;
+    *) jobs=$((jobs + 3)) ;;
   esac
   (cd "$root" && ctest --preset "$preset" --parallel "$jobs" "$@") || return 1
 }

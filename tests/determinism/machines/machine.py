@@ -99,7 +99,7 @@ def _emulated(name, what, triple, emulator):
 
 
 def _wasm(name, what):
-    needs = (*_TOOLS, "tool:clang++", "tool:wasm-ld", "tool:node", "file:/usr/lib/wasm32-wasi/libc.a",
+    needs = (*_TOOLS, "tool:clang++", "tool:ld.lld", "tool:node", "file:/usr/lib/wasm32-wasi/libc.a",
              "file:/usr/lib/wasm32-wasi/libc++.a", "file:/usr/lib/wasm32-wasi/libc++abi.a",
              "file:/usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a")  # fmt: skip
     options = (f"-DCMAKE_TOOLCHAIN_FILE={HERE / name}.cmake", "-DCMAKE_BUILD_TYPE=Release")
