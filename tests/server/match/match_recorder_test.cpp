@@ -182,12 +182,13 @@ TEST(MatchRecorder, PlayersThatJoinAndLeaveAtOnceAreNotRecorded) {
 
 TEST(MatchRecorder, RecordsTheLargestNumberOfPlayers) {
   Match match = recordedMatch({farGoalText()}, kMaxPlayers);
+  const auto hash = shortHash(levelOf(farGoalText())->hash);
   for (ClientId client = 1; client <= kMaxPlayers; ++client) match.receive(client, Hello{});
   Recordings recordings;
   for (std::uint32_t tick = 0; tick < 6 * kCheckpointTicks + 10; ++tick) {
     for (ClientId client = 1; client <= kMaxPlayers; ++client) {
       const Input input = validInput(static_cast<std::uint8_t>((client + tick / 9) % 8 | Input::kPresent));
-      match.receive(client, PlayerInputs{1, 0, 0, shortHash(levelOf(farGoalText())->hash), tick, {input}});
+      match.receive(client, PlayerInputs{1, 0, 0, hash, tick, {input}});
     }
     match.tick();
     match.takeOutgoing();
