@@ -154,6 +154,7 @@ function(platon_test_properties)
   endif()
   # The libraries of the system are not instrumented; the thread sanitizer would misjudge their threads.
   set(environment "PLATON_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}" "UBSAN_OPTIONS=print_stacktrace=1"
+      "ASAN_OPTIONS=${PLATON_ASAN_OPTIONS}"
       "TSAN_OPTIONS=ignore_noninstrumented_modules=1")
   if(NOT arg_COMPILES)
     set(home ${PROJECT_BINARY_DIR}/tests/home/${arg_NAME})
