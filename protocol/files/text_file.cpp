@@ -34,13 +34,6 @@ bool takeRights(const Descriptor& file, const std::string& old, mode_t rights) {
   return fchmod(file.number(), status.st_mode & 07777) == 0;
 }
 
-// Makes the new name of a file last. Some file systems cannot do so for a folder, and need not.
-bool syncFolder(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return opened && (fsync(opened.number()) == 0 || errno == EINVAL);
-}
-
 constexpr mode_t kOwnRights = 0600;
 constexpr mode_t kPublicRights = 0644;
 
@@ -63,6 +56,15 @@ std::string replaceFile(const std::string& path, std::string_view content, Wait 
 }
 
 }  // namespace
+
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+bool syncFolder(const std::filesystem::path& file) {
+  const Descriptor opened(open(folderOf(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return opened && (fsync(opened.number()) == 0 || errno == EINVAL);
+}
 
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes) {
   const auto close = [](std::FILE* file) { std::fclose(file); };

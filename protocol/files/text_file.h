@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,5 +24,12 @@ std::string replacePublicFile(const std::string& path, std::string_view content)
 /// As replaceTextFile, but does not wait for the disk: after a power failure the file may be empty or the old one. For
 /// what can be made again.
 std::string replaceCachedFile(const std::string& path, std::string_view content);
+
+/// The folder of a file.
+std::filesystem::path folderOf(const std::filesystem::path& file);
+
+/// Makes the new name of a file last through a power failure. Some file systems cannot do so, and need not. False if
+/// that fails, with the reason in errno.
+bool syncFolder(const std::filesystem::path& file);
 
 }  // namespace platon

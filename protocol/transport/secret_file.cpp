@@ -7,26 +7,26 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string_view>
 
+#include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 
 namespace platon {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+[[noreturn]] void refuseFile(const std::string& path, const std::string& why) {
   throw ProgramError(ProgramError::kUsage, path + ": error: " + why);
 }
 
 [[noreturn]] void refuseToRead(const std::string& path, int fault) {
-  refuse(path, std::string(std::strerror(fault)) + "; name a readable file");
+  refuseFile(path, std::string(std::strerror(fault)) + "; name a readable file");
 }
 
 [[noreturn]] void refuseToCreate(const std::string& path, int fault) {
-  refuse(path, std::string("cannot be created: ") + std::strerror(fault) + "; name a file in a writable folder");
+  refuseFile(path, std::string("cannot be created: ") + std::strerror(fault) + "; name a file in a writable folder");
 }
 
 std::string firstLine(const std::string& path) {
@@ -50,7 +50,7 @@ bool writeAll(int handle, std::string_view text) {
 }
 
 [[noreturn]] void refuseToWrite(const std::string& path, int fault) {
-  refuse(path, std::string("cannot be written: ") + std::strerror(fault) + "; make room on the disk");
+  refuseFile(path, std::string("cannot be written: ") + std::strerror(fault) + "; make room on the disk");
 }
 
 // Returns an error number of the system; 0 if the text is on the disk. Closes the file.
@@ -73,19 +73,6 @@ int createWithoutLink(const std::string& path, std::string_view text) {
   refuseToWrite(path, fault);
 }
 
-std::filesystem::path folderOf(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return folder.empty() ? "." : folder;
-}
-
-// Otherwise a power failure may lose the name of the new file.
-void syncFolder(const std::filesystem::path& folder) {
-  const int handle = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle < 0) return;
-  fsync(handle);
-  close(handle);
-}
-
 // Makes the file with its whole content or not at all: when the disk is full, nothing is left that a later start would
 // take for a damaged key. Never replaces a file. Returns an error number of the system; 0 if the file was made.
 int create(const std::string& path, const std::string& line) {
@@ -98,7 +85,7 @@ int create(const std::string& path, const std::string& line) {
   unlink(part.c_str());
   if (unwritten != 0) refuseToWrite(path, unwritten);
   if (cannotLink(fault)) fault = createWithoutLink(path, text);
-  if (fault == 0) syncFolder(folderOf(path));
+  if (fault == 0) syncFolder(path);
   return fault;
 }
 
@@ -106,7 +93,7 @@ int create(const std::string& path, const std::string& line) {
 std::optional<ServerIdentity> findIdentity(const std::string& path) {
   if (access(path.c_str(), F_OK) != 0 && errno == ENOENT) return std::nullopt;
   std::optional<ServerIdentity> identity = ServerIdentity::parse(firstLine(path));
-  if (!identity) refuse(path, "not a key of platon-server; name a file that does not exist to have one made");
+  if (!identity) refuseFile(path, "not a key of platon-server; name a file that does not exist to have one made");
   return identity;
 }
 
@@ -114,7 +101,7 @@ std::optional<ServerIdentity> findIdentity(const std::string& path) {
 
 std::string readPasswordFile(const std::string& path) {
   const std::string password = firstLine(path);
-  if (password.empty()) refuse(path, "the first line is empty; write the password there");
+  if (password.empty()) refuseFile(path, "the first line is empty; write the password there");
   return password;
 }
 
