@@ -9,16 +9,16 @@ namespace {
 constexpr std::size_t kMaxLinesOfALevel = 3000;
 constexpr std::int32_t kLargestFace = 2000;
 
-std::size_t linesOf(const Level& level) {
+}  // namespace
+
+std::size_t lineCount(const Level& level) {
   std::size_t lines = 0;
   for (const auto& face : level.segments) lines += face.size();
   return lines;
 }
 
-}  // namespace
-
 void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics, const std::function<bool()>& stop) {
-  if (linesOf(level) > kMaxLinesOfALevel || level.faceSize > kLargestFace) return;
+  if (lineCount(level) > kMaxLinesOfALevel || level.faceSize > kLargestFace) return;
   const JumpHeights heights(level, {.allDoorsOpen = true, .stop = stop});
   if (heights.isStopped()) return;
   for (std::uint32_t face = 0; face < level.segments.size(); ++face) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "levels/check/untouched_lines.h"
 #include "levels/tool/exit_code.h"
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
@@ -26,12 +27,6 @@ std::size_t errorsOf(const CheckedLevel& checked) {
   return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const auto& one) { return one.error; }));
 }
 
-std::size_t linesOf(const Level& level) {
-  std::size_t lines = 0;
-  for (const auto& face : level.segments) lines += face.size();
-  return lines;
-}
-
 // "1 line", "2 lines".
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -43,7 +38,7 @@ std::string resultLine(const CheckedLevel& checked) {
   const std::string tail = warnings == 0 ? "" : ", " + counted(warnings, "warning");
   if (checked.result.level == nullptr) return checked.file + ": " + counted(errors, "error") + tail;
   const Level& level = *checked.result.level;
-  return checked.file + ": ok, " + std::string(nameOf(level.solid)) + ", " + counted(linesOf(level), "line") + tail;
+  return checked.file + ": ok, " + std::string(nameOf(level.solid)) + ", " + counted(lineCount(level), "line") + tail;
 }
 
 std::string jsonOf(const Diagnostic& diagnostic) {
@@ -54,7 +49,7 @@ std::string jsonOf(const Diagnostic& diagnostic) {
 
 std::string jsonOf(const Level& level) {
   return ",\"solid\":\"" + std::string(nameOf(level.solid)) + "\",\"faceSize\":" + std::to_string(level.faceSize) +
-         ",\"lines\":" + std::to_string(linesOf(level)) + ",\"title\":" + jsonText(level.title) +
+         ",\"lines\":" + std::to_string(lineCount(level)) + ",\"title\":" + jsonText(level.title) +
          ",\"author\":" + jsonText(level.author);
 }
 
