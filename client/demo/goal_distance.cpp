@@ -45,7 +45,7 @@ struct Obstacles {
 };
 
 // Approximate length, error at most 8 %.
-std::int32_t lengthOf(Point vector) {
+std::int32_t roughLengthOf(Point vector) {
   const std::int32_t x = std::abs(vector.x);
   const std::int32_t y = std::abs(vector.y);
   return std::max(x, y) + std::min(x, y) * 2 / 5;
@@ -175,7 +175,7 @@ void GoalDistance::spreadFrom(const Reached& reached, bool isSource, std::uint32
     const std::optional<Place> place = reach(probeFor(isSource), {*level_, open}, middle.face, from, to);
     if (!place) continue;
     const Cell cell = cellAt(*place);
-    const std::int32_t distance = reached.distance + lengthOf(to - from);
+    const std::int32_t distance = reached.distance + roughLengthOf(to - from);
     if (distance >= lookUp(grid, cell)) continue;
     grid[indexOf(cell)] = distance;
     front.push_back({distance, {cell.face, centreOf(cell)}});
@@ -192,7 +192,7 @@ std::int32_t GoalDistance::distanceOn(const Grid& grid, const Place& place) cons
     const Cell cell{middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1};
     const std::int32_t beyond = lookUp(grid, cell);
     if (beyond == kUnreachable) continue;
-    best = std::min(best, beyond + lengthOf(centreOf(cell) - place.position));
+    best = std::min(best, beyond + roughLengthOf(centreOf(cell) - place.position));
   }
   return best;
 }

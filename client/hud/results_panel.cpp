@@ -17,9 +17,9 @@ using namespace overlay_colours;
 
 constexpr float kPanelEdge = 16;
 constexpr float kPanelWidth = 310;
-constexpr float kPadding = 14;
-constexpr float kRowHeight = 25;
-constexpr float kSize = kSmallestText;
+constexpr float kPanelPadding = 14;
+constexpr float kPanelRowHeight = 25;
+constexpr float kPanelTextSize = kSmallestText;
 constexpr float kTimeWidth = 90;
 
 std::string bestText(const RoundSummary& summary) {
@@ -29,13 +29,13 @@ std::string bestText(const RoundSummary& summary) {
 }
 
 std::string nextTitleOf(const RoundSummary& summary, const Font& font, float width) {
-  return fittedText(summary.nextTitle, font, width / kSize);
+  return fittedText(summary.nextTitle, font, width / kPanelTextSize);
 }
 
 std::string nextText(const RoundSummary& summary, const Font& font) {
   const auto seconds = static_cast<long>(std::ceil(summary.secondsLeft - 1e-6));
   const std::string when = seconds > 0 ? " in " + std::to_string(seconds) + " s" : "";
-  return "Next level" + when + ": " + nextTitleOf(summary, font, 1.5F * (kPanelWidth - 2 * kPadding));
+  return "Next level" + when + ": " + nextTitleOf(summary, font, 1.5F * (kPanelWidth - 2 * kPanelPadding));
 }
 
 // `tripWidth`: for the round trip, right of the time.
@@ -43,12 +43,14 @@ void addResult(OverlayWriter& writer, const PlayerDrawing& player, std::size_t p
                const Font& font) {
   const bool finished = player.finishSeconds.has_value();
   const glm::vec4 colour = player.local ? kBright : kSoft;
-  const float right = start.x + kPanelWidth - 2 * kPadding;
+  const float right = start.x + kPanelWidth - 2 * kPanelPadding;
   const float nameWidth = right - kTimeWidth - (start.x + 32);
-  if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kSize, colour);
-  writer.left(fittedText(shownNameOf(player), font, nameWidth / kSize), {start.x + 32, start.y}, kSize, colour);
-  writer.right(finished ? finishText(*player.finishSeconds) : "–", {right, start.y}, kSize, finished ? kGold : kSoft);
-  if (player.roundTripMs) writer.right(roundTripText(player), {right + tripWidth, start.y}, kSize, kSoft);
+  if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kPanelTextSize, colour);
+  writer.left(fittedText(shownNameOf(player), font, nameWidth / kPanelTextSize), {start.x + 32, start.y},
+              kPanelTextSize, colour);
+  writer.right(finished ? finishText(*player.finishSeconds) : "–", {right, start.y}, kPanelTextSize,
+               finished ? kGold : kSoft);
+  if (player.roundTripMs) writer.right(roundTripText(player), {right + tripWidth, start.y}, kPanelTextSize, kSoft);
 }
 
 }  // namespace
@@ -76,26 +78,28 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
   const std::size_t rows = std::min(players.size(), maxRows);
   const bool more = players.size() > rows;
-  std::vector<std::string> below = wrapText(bestText(summary), font, (kPanelWidth - 2 * kPadding) / kSize);
+  std::vector<std::string> below =
+      wrapText(bestText(summary), font, (kPanelWidth - 2 * kPanelPadding) / kPanelTextSize);
   if (run.speed < 1 && scene.attempt && scene.attempt->arrived)
     below.insert(below.begin(), "Your time: " + slowedText(run.speed));
   const std::size_t bestLines = below.size();
-  for (std::string& line : wrapText(nextText(summary, font), font, (kPanelWidth - 2 * kPadding) / kSize))
+  for (std::string& line : wrapText(nextText(summary, font), font, (kPanelWidth - 2 * kPanelPadding) / kPanelTextSize))
     below.push_back(std::move(line));
   const std::size_t lines = 1 + rows + (more ? 1 : 0) + below.size();
   const float tripWidth = roundTripWidth(scene);
   const glm::vec2 low(width - kPanelEdge - kPanelWidth - tripWidth, kPanelEdge);
-  writer.panel(low, low + glm::vec2(kPanelWidth + tripWidth, kRowHeight * static_cast<float>(lines) + 16), 12, kPanel);
-  glm::vec2 place = low + glm::vec2(kPadding, 26);
-  writer.left(scene.secondsLeft <= 0 ? "Time is up" : "Round over", place, kSize, kBright);
+  writer.panel(low, low + glm::vec2(kPanelWidth + tripWidth, kPanelRowHeight * static_cast<float>(lines) + 16), 12,
+               kPanel);
+  glm::vec2 place = low + glm::vec2(kPanelPadding, 26);
+  writer.left(scene.secondsLeft <= 0 ? "Time is up" : "Round over", place, kPanelTextSize, kBright);
   for (std::size_t i = 0; i < rows; ++i)
-    addResult(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), tripWidth, font);
+    addResult(writer, *players[i], i + 1, place += glm::vec2(0, kPanelRowHeight), tripWidth, font);
   if (more)
     writer.left("and " + std::to_string(players.size() - rows) + " more",
-                (place += glm::vec2(0, kRowHeight)) + glm::vec2(32, 0), kSize, kSoft);
+                (place += glm::vec2(0, kPanelRowHeight)) + glm::vec2(32, 0), kPanelTextSize, kSoft);
   for (std::size_t i = 0; i < below.size(); ++i) {
     const glm::vec4 colour = i >= bestLines ? kBright : summary.bestIsNew ? kGold : kSoft;
-    writer.left(below[i], place += glm::vec2(0, kRowHeight), kSize, colour);
+    writer.left(below[i], place += glm::vec2(0, kPanelRowHeight), kPanelTextSize, colour);
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMaxWarps = 3;                                   // enough for any two faces within a correction
 constexpr std::int32_t kMaxSmoothed = 100 * kSubunitsPerUnit;  // larger corrections are shown at once
 
-std::int32_t lengthOf(Point vector) {
+std::int32_t roundedLengthOf(Point vector) {
   return static_cast<std::int32_t>(std::lround(std::sqrt(static_cast<double>(squaredLength(vector)))));
 }
 
@@ -115,7 +115,7 @@ void Prediction::correct(const Place& before, Moment now) {
   const std::optional<Point> old = unfold(geometry, before, after->part, after->position, kMaxWarps);
   if (!old) return;
   const Point offset = *old - after->position;
-  const std::int32_t distance = lengthOf(offset);
+  const std::int32_t distance = roundedLengthOf(offset);
   ++statistics_.corrections;
   statistics_.lastSubunits = distance;
   statistics_.maxSubunits = std::max(statistics_.maxSubunits, distance);

@@ -12,10 +12,10 @@ namespace {
 
 using namespace overlay_colours;
 
-constexpr float kMargin = 16;
-constexpr float kSize = kSmallestText;
-constexpr float kRowHeight = 22;
-constexpr float kGap = 18;
+constexpr float kHelpMargin = 16;
+constexpr float kHelpSize = kSmallestText;
+constexpr float kHelpRowHeight = 22;
+constexpr float kHelpGap = 18;
 
 using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning
 
@@ -50,18 +50,19 @@ void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief) {
   std::array<float, 3> widths{};
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (!row[i].empty()) widths[i] = std::max(widths[i], writer.width(row[i], kSize) + kGap);
+      if (!row[i].empty()) widths[i] = std::max(widths[i], writer.width(row[i], kHelpSize) + kHelpGap);
     }
   }
-  const glm::vec2 size(widths[0] + widths[1] + widths[2] + kGap, kRowHeight * static_cast<float>(rows.size()) + 20);
-  const glm::vec2 low(kMargin, Overlay::kHeight - kMargin - size.y);
+  const glm::vec2 size(widths[0] + widths[1] + widths[2] + kHelpGap,
+                       kHelpRowHeight * static_cast<float>(rows.size()) + 20);
+  const glm::vec2 low(kHelpMargin, Overlay::kHeight - kHelpMargin - size.y);
   writer.panel(low, low + size, 12, kPanel);
-  glm::vec2 place = low + glm::vec2(kGap, 27);
+  glm::vec2 place = low + glm::vec2(kHelpGap, 27);
   for (const auto& [key, pad, meaning] : rows) {
-    writer.left(key, place, kSize, kBright);
-    writer.left(pad, place + glm::vec2(widths[0], 0), kSize, kBright);
-    writer.left(meaning, place + glm::vec2(widths[0] + widths[1], 0), kSize, kSoft);
-    place.y += kRowHeight;
+    writer.left(key, place, kHelpSize, kBright);
+    writer.left(pad, place + glm::vec2(widths[0], 0), kHelpSize, kBright);
+    writer.left(meaning, place + glm::vec2(widths[0] + widths[1], 0), kHelpSize, kSoft);
+    place.y += kHelpRowHeight;
   }
 }
 

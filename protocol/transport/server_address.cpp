@@ -9,7 +9,7 @@ namespace platon {
 
 namespace {
 
-[[noreturn]] void refuse(std::string_view text, const char* why) {
+[[noreturn]] void refuseAddress(std::string_view text, const char* why) {
   throw std::invalid_argument("'" + std::string(text) + "' is not a server address: " + why);
 }
 
@@ -18,7 +18,7 @@ std::uint16_t parsePort(std::string_view text, std::string_view digits) {
   const char* const end = digits.data() + digits.size();
   const auto [rest, error] = std::from_chars(digits.data(), end, port);
   if (error != std::errc() || rest != end || port == 0)
-    refuse(text, "the port after ':' must be a number from 1 to 65535");
+    refuseAddress(text, "the port after ':' must be a number from 1 to 65535");
   return port;
 }
 
@@ -28,11 +28,11 @@ ServerAddress parseIpv6(std::string_view text) {
   ServerAddress address;
   address.host = text.substr(1, end == std::string_view::npos ? end : end - 1);
   if (end == std::string_view::npos || !IpAddress::parse(address.host)) {
-    refuse(text, "write an IPv6 address as [ADDRESS] or [ADDRESS]:PORT");
+    refuseAddress(text, "write an IPv6 address as [ADDRESS] or [ADDRESS]:PORT");
   }
   const std::string_view rest = text.substr(end + 1);
   if (rest.empty()) return address;
-  if (rest.front() != ':') refuse(text, "write an IPv6 address as [ADDRESS] or [ADDRESS]:PORT");
+  if (rest.front() != ':') refuseAddress(text, "write an IPv6 address as [ADDRESS] or [ADDRESS]:PORT");
   address.port = parsePort(text, rest.substr(1));
   return address;
 }
@@ -59,16 +59,17 @@ std::string ServerAddress::text() const {
 ServerAddress parseServerAddress(std::string_view text) {
   if (IpAddress::parse(text)) return {std::string(text), kDefaultPort};
   if (hasZone(text)) {
-    refuse(text, "an IPv6 address with a zone ('%') is not supported; use the server's name or another address of it");
+    refuseAddress(text,
+                  "an IPv6 address with a zone ('%') is not supported; use the server's name or another address of it");
   }
   if (text.starts_with('[')) return parseIpv6(text);
   const std::size_t colon = text.find(':');
   ServerAddress address;
   address.host = text.substr(0, colon);
   if (colon != std::string_view::npos) address.port = parsePort(text, text.substr(colon + 1));
-  if (address.host.empty()) refuse(text, "the host is missing; write HOST or HOST:PORT");
+  if (address.host.empty()) refuseAddress(text, "the host is missing; write HOST or HOST:PORT");
   for (const char c : address.host) {
-    if (!isHostCharacter(c)) refuse(text, "a host may contain only letters, digits, '.', '-' and '_'");
+    if (!isHostCharacter(c)) refuseAddress(text, "a host may contain only letters, digits, '.', '-' and '_'");
   }
   return address;
 }

@@ -20,7 +20,7 @@ std::string lineOf(const Ban& ban) {
 std::string_view commentOf(std::string_view line) { return line.substr(std::min(line.find('#'), line.size())); }
 
 // A ban read from a line, or what is wrong with it and in which column.
-struct LineReader {
+struct BanReader {
   WordReader words;
   int column = 1;  // of the word that was read last
 
@@ -86,7 +86,7 @@ void BanList::readLine(std::string_view text, std::vector<Diagnostic>& errors) {
   lines_.push_back({std::string(text), std::nullopt});
   std::string_view content = text.substr(0, text.size() - commentOf(text).size());
   if (content.ends_with('\r')) content.remove_suffix(1);
-  LineReader line{WordReader(content)};
+  BanReader line{WordReader(content)};
   if (line.words.peek().empty()) return;
   auto ban = line.read();
   const auto fail = [&](int column, std::string what) {

@@ -7,7 +7,7 @@ namespace platon {
 namespace {
 
 // Longest first line of a response, bytes; a sidecar sends far less.
-constexpr std::size_t kMaxLineBytes = 512;
+constexpr std::size_t kMaxStatusLineBytes = 512;
 
 std::string_view pathOf(AgonesCall call) {
   switch (call) {
@@ -48,7 +48,7 @@ std::string agonesRequest(AgonesCall call, std::uint16_t port, const PlayerCount
 
 std::optional<int> statusOf(std::string_view received) {
   const std::size_t end = received.find("\r\n");
-  if (end == std::string_view::npos) return received.size() > kMaxLineBytes ? std::optional(0) : std::nullopt;
+  if (end == std::string_view::npos) return received.size() > kMaxStatusLineBytes ? std::optional(0) : std::nullopt;
   const std::string_view line = received.substr(0, end);
   if (!line.starts_with("HTTP/1.1 ") && !line.starts_with("HTTP/1.0 ")) return 0;
   const std::string_view digits = line.substr(9, 3);

@@ -33,7 +33,7 @@ std::optional<UtcTime> dateOf(std::string_view text) {
 using Entry = std::pair<PlayedLevel, DatedTime>;
 
 // The best time of a line, or what is wrong with it and in which column.
-struct LineReader {
+struct TimeReader {
   WordReader words;
   int column = 1;  // of the word that was read last
 
@@ -73,7 +73,7 @@ std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_vi
   std::vector<Diagnostic> errors;
   for (int number = 1; !text.empty() && errors.size() < kMaxErrors; ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    LineReader line{WordReader(text.substr(0, end))};
+    TimeReader line{WordReader(text.substr(0, end))};
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.words.peek().empty() || line.words.peek().starts_with('#')) continue;
     auto read = line.read();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kMaxRecordedTicks = 64;
 
-const std::shared_ptr<const Level>& level() {
+const std::shared_ptr<const Level>& tetrahedron() {
   static const std::shared_ptr<const Level> loaded =
       loadLevel("TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 -69.2\n%\n%\n%\n").level;
   return loaded;
@@ -26,7 +26,7 @@ const std::shared_ptr<const Level>& level() {
 
 // A valid recording of a game with inputs from the bytes, in blocks of a few ticks.
 std::vector<std::uint8_t> recorded(ByteSource& bytes) {
-  Game game(level());
+  Game game(tetrahedron());
   Recorder recorder(game, static_cast<std::uint32_t>(bytes.below(8)) + 1);
   for (std::size_t ticks = bytes.below(kMaxRecordedTicks); ticks > 0; --ticks) {
     std::vector<Input> inputs(bytes.below(4));
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> recorded(ByteSource& bytes) {
 
 // Random blocks with valid checksums.
 std::vector<std::uint8_t> forged(ByteSource& bytes) {
-  ForgedRecording recording{Game(level())};
+  ForgedRecording recording{Game(tetrahedron())};
   for (std::size_t blocks = bytes.below(4); blocks > 0; --blocks) {
     std::vector<std::uint8_t> body(bytes.below(256));
     for (std::uint8_t& byte : body) byte = bytes.byte();
@@ -53,7 +53,7 @@ std::string play(const RecordedBlock& block) {
   if (block.inputs.size() != std::size_t{block.ticks()} * block.slots)
     return "a block does not have one input per slot and tick";
   if (!std::all_of(block.inputs.begin(), block.inputs.end(), isInput)) return "a block has an invalid input";
-  Game game(level());
+  Game game(tetrahedron());
   if (!game.restore(block.state)) return {};
   for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMaxRecordedTicks); ++tick)
     game.advance(block.inputsOf(tick));
@@ -65,11 +65,11 @@ std::string readFault(Bytes recording, bool isValid) {
   while (const auto block = reader.next()) {
     if (std::string fault = play(*block); !fault.empty()) return fault;
   }
-  using State = RecordingReader::State;
-  if (reader.state() == State::kReading) return "reading ends before the recording does";
-  if ((reader.state() == State::kComplete) != reader.fault().empty())
+  if (reader.state() == RecordingReader::State::kReading) return "reading ends before the recording does";
+  if ((reader.state() == RecordingReader::State::kComplete) != reader.fault().empty())
     return "fault message and reader state contradict each other";
-  return isValid && reader.state() != State::kComplete ? "a valid recording is refused" : std::string();
+  return isValid && reader.state() != RecordingReader::State::kComplete ? "a valid recording is refused"
+                                                                        : std::string();
 }
 
 // As the client plays the file of a friend.

@@ -14,7 +14,7 @@ namespace {
 // Of play: who only looks at the level reads on.
 constexpr std::uint32_t kElementReadTicks = 4 * kTicksPerSecond;  // to read a hint of an element that the ball has met
 constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // after which the next kind has its turn
-constexpr double kNear = 2.0 * kPlayerRadius;                     // from the ball to an element that it meets, subunits
+constexpr double kNearElement = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
 
 // In the order of kElementKinds. A level with doors has keys or plates, which tell of them.
 constexpr std::array<std::string_view, kElementKinds.size()> kHints = {
@@ -41,7 +41,7 @@ bool isNear(const EntityState& ball, const Element& element) {
   const glm::dvec2 way = inSubunits(element.ends.b) - inSubunits(element.ends.a);
   const glm::dvec2 place = inSubunits(ball.position) - inSubunits(element.ends.a);
   const double part = std::clamp(glm::dot(place, way) / std::max(glm::dot(way, way), 1.0), 0.0, 1.0);
-  return glm::distance(place, part * way) < kNear;
+  return glm::distance(place, part * way) < kNearElement;
 }
 
 }  // namespace

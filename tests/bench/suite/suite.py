@@ -130,8 +130,8 @@ def tables(lanes):
 
 def is_product(target):
     return target.startswith(("platon_client", "platon_server", "platon_level", "platon-")) or target in (
-        "platon_headers", "platon_exact", "platon_physics", "platon_game", "platon_protocol", "platon_transport", "platon_files",
-        "platon_drawing", "platon_json_text", "platon_sim")  # fmt: skip
+        "platon_headers", "platon_exact", "platon_physics", "platon_game", "platon_protocol", "platon_drawing",
+        "platon_json_text", "platon_sim")  # fmt: skip
 
 
 def run(root, writes):

@@ -29,7 +29,7 @@ std::int32_t riseFrom(std::int32_t speed) {
 // The jump height: 61350 subunits, 59.91 units. The speed falls by the gravity in each tick, the first one included,
 // and by half of it at the apex.
 TEST(PlayerJumpTest, JumpHeightIs61350Subunits) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   const std::int32_t ground = played.position().y;
   EXPECT_EQ(riseFrom(kJumpSpeed), kJumpHeight);
   std::int32_t peak = 0;
@@ -66,7 +66,7 @@ TEST(PlayerJumpTest, AJumpSetsTheUpwardSpeedWhateverItWas) {
 
 TEST(PlayerJumpTest, GravityIsHalfAtTheApexWhileTheButtonIsHeld) {
   for (const bool held : {false, true}) {
-    PlayedGame played = standingOn(kFlat);
+    PlayedGame played = standingOn(kFlatFloor);
     played.run(20, Input::kJump);
     const std::int32_t speed = played.player().velocity.y;
     ASSERT_LE(speed, kApexSpeed);
@@ -90,7 +90,7 @@ TEST(PlayerJumpTest, FallsFasterWhileTheDownButtonIsHeld) {
 
 // The peak of a jump below a ceiling from x = `end` to the right.
 std::int32_t peakBesideCeiling(std::int32_t end) {
-  PlayedGame played = standingOn(kFlat + "\n" + std::to_string(end) + " -150 200 -150", "0 0 -180 0");
+  PlayedGame played = standingOn(kFlatFloor + "\n" + std::to_string(end) + " -150 200 -150", "0 0 -180 0");
   std::int32_t peak = played.position().y;
   const std::int32_t ground = peak;
   for (int tick = 0; tick < 40; ++tick) {
@@ -108,7 +108,7 @@ TEST(PlayerJumpTest, TheEndOfACeilingThatClips4UnitsDoesNotEndAJump) {
 }
 
 TEST(PlayerJumpTest, APlayerThatPassesAnEndLosesItsSpeedTowardsIt) {
-  PlayedGame played = standingOn(kFlat + "\n31 -150 200 -150", "0 0 -180 0");
+  PlayedGame played = standingOn(kFlatFloor + "\n31 -150 200 -150", "0 0 -180 0");
   played.run(3, Input::kRight);
   int stopped = 0;
   for (int tick = 0; tick < 12; ++tick) {
@@ -124,7 +124,7 @@ TEST(PlayerJumpTest, APlayerThatPassesAnEndLosesItsSpeedTowardsIt) {
 }
 
 TEST(PlayerJumpTest, ASlantedCeilingIsNoEnd) {
-  PlayedGame played = standingOn(kFlat + "\n-60 -90 45 -195", "0 0 -180 0");
+  PlayedGame played = standingOn(kFlatFloor + "\n-60 -90 45 -195", "0 0 -180 0");
   std::int32_t slowest = kJumpSpeed;
   for (int tick = 0; tick < 12; ++tick) {
     played.run(1, Input::kJump);
@@ -134,7 +134,7 @@ TEST(PlayerJumpTest, ASlantedCeilingIsNoEnd) {
 }
 
 TEST(PlayerJumpTest, AHeldButtonJumpsOnce) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   const std::int32_t ground = played.position().y;
   played.run(50, Input::kJump);
   EXPECT_TRUE(played.grounded());
@@ -148,7 +148,7 @@ TEST(PlayerJumpTest, AHeldButtonJumpsOnce) {
 }
 
 std::int32_t peakOfJumpHeldFor(int ticks) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   const std::int32_t ground = played.position().y;
   std::int32_t peak = 0;
   for (int tick = 0; tick < 60; ++tick) {
@@ -174,7 +174,7 @@ TEST(PlayerJumpTest, JumpHeightGrowsWithTheTimeTheButtonIsHeld) {
 }
 
 TEST(PlayerJumpTest, ACeilingEndsAJump) {
-  PlayedGame played = standingOn(kFlat + "\n-100 -150 100 -150");
+  PlayedGame played = standingOn(kFlatFloor + "\n-100 -150 100 -150");
   std::int32_t peak = played.position().y;
   int airborne = 0;
   do {
@@ -205,7 +205,7 @@ TEST(PlayerJumpTest, CanJumpUntil4TicksAfterALedge) {
 }
 
 TEST(PlayerJumpTest, DoesNotJumpAgainInTheAir) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   played.run(2, Input::kJump);
   played.run(1, kNone);
   const std::int32_t speed = played.player().velocity.y;
@@ -215,7 +215,7 @@ TEST(PlayerJumpTest, DoesNotJumpAgainInTheAir) {
 
 // Presses the button `early` ticks before the tick in which a falling player lands.
 bool jumpsWhenPressedEarly(int early) {
-  PlayedGame falling(cubeLevel("0 0 -100 0", {kFlat}));
+  PlayedGame falling(cubeLevel("0 0 -100 0", {kFlatFloor}));
   falling.run(1, kNone);
   int lands = 1;
   for (PlayedGame watched = falling; !watched.grounded(); ++lands) watched.run(1, kNone);

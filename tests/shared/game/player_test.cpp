@@ -26,7 +26,7 @@ TEST(PlayerTest, ShapeIsARegular16Gon) {
 }
 
 TEST(PlayerTest, FallsAndComesToRest) {
-  PlayedGame played(cubeLevel("0 0 0 0", {kFlat}));
+  PlayedGame played(cubeLevel("0 0 0 0", {kFlatFloor}));
   played.run(1, kNone);
   EXPECT_EQ(played.position(), Point(0, -kGravity));
   played.run(1, kNone);
@@ -77,7 +77,7 @@ TEST(PlayerTest, FallsNoFasterThanTheLimit) {
 
 TEST(PlayerTest, AcceleratesToTheRunSpeed) {
   for (const int way : {-1, 1}) {
-    PlayedGame played = standingOn(kFlat);
+    PlayedGame played = standingOn(kFlatFloor);
     const std::uint8_t button = way < 0 ? Input::kLeft : Input::kRight;
     for (int tick = 1; tick <= 30; ++tick) {
       const Point before = played.position();
@@ -90,14 +90,14 @@ TEST(PlayerTest, AcceleratesToTheRunSpeed) {
 }
 
 TEST(PlayerTest, LeftAndRightTogetherDoNothing) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   const Point before = played.position();
   played.run(20, Input::kLeft | Input::kRight);
   EXPECT_EQ(played.position(), before);
 }
 
 TEST(PlayerTest, StopsByFriction) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   played.run(20, Input::kRight);
   std::int32_t speed = kRunSpeed;
   while (speed > 0) {
@@ -111,7 +111,7 @@ TEST(PlayerTest, StopsByFriction) {
 }
 
 TEST(PlayerTest, AWallStopsARun) {
-  PlayedGame played = standingOn(kFlat + "\n100 -200 100 0");
+  PlayedGame played = standingOn(kFlatFloor + "\n100 -200 100 0");
   played.run(120, Input::kRight);
   EXPECT_EQ(played.position(), Point(units(100) - kApothem, kFloor + kApothem));
   EXPECT_EQ(played.player().velocity.x, 0);
@@ -121,7 +121,7 @@ TEST(PlayerTest, AWallStopsARun) {
 TEST(PlayerTest, HasThreeSpeeds) {
   for (const auto& [button, speed] :
        {std::pair<std::uint8_t, std::int32_t>{0, kRunSpeed}, {Input::kWalk, 2185}, {Input::kCreep, 1092}}) {
-    PlayedGame played = standingOn(kFlat);
+    PlayedGame played = standingOn(kFlatFloor);
     played.run(20, Input::kRight | button);
     EXPECT_EQ(played.player().velocity.x, speed);
     played.run(20, Input::kLeft | button);
@@ -131,7 +131,7 @@ TEST(PlayerTest, HasThreeSpeeds) {
 
 // On the ground 4 ticks stop a run and 8 reach full speed the other way; without the faster turn-round it took 16.
 TEST(PlayerTest, TurnsRoundFaster) {
-  PlayedGame played = standingOn(kFlat);
+  PlayedGame played = standingOn(kFlatFloor);
   played.run(30, Input::kRight);
   std::int32_t speed = kRunSpeed;
   int ticks = 0;
@@ -173,7 +173,7 @@ TEST(PlayerTest, SlidesDownASteepSegment) {
 // acceleration in the air would carry it up by hundreds of units.
 TEST(PlayerTest, NobodyClimbsASteepSegment) {
   for (const char* steep : {"40 -200 180 -30", "40 -200 120 0", "40 -200 60 100"}) {
-    PlayedGame played = standingOn(kFlat + "\n" + steep);
+    PlayedGame played = standingOn(kFlatFloor + "\n" + steep);
     const std::int32_t ground = played.position().y;
     std::int32_t peak = ground;
     for (int tick = 0; tick < 200; ++tick) {
@@ -214,7 +214,7 @@ TEST(PlayerTest, StaysOnTheGroundOverAGentleCrestAndDip) {
 
 // Runs once around the four side faces.
 TEST(PlayerTest, RunsAroundTheCubeOnALevelFloor) {
-  PlayedGame played(cubeLevel("0 0 -180 0", {kFlat, kFlat, kFlat, kFlat}));
+  PlayedGame played(cubeLevel("0 0 -180 0", {kFlatFloor, kFlatFloor, kFlatFloor, kFlatFloor}));
   played.run(60, kNone);
   played.run(20, Input::kRight);
   const Point start = played.position();

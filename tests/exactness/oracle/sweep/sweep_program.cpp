@@ -9,7 +9,7 @@
 namespace platon::oracle {
 namespace {
 
-constexpr std::chrono::hours kLimit{1};
+constexpr std::chrono::hours kSweepLimit{1};
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::istringstream stream(text);
@@ -25,7 +25,7 @@ SweepRun SweepProgram::run(const std::string& input) const {
   options.inputFile = folder_ / "queries";
   writeText(options.inputFile, input);
   Process process({program_, "sweep"}, options);
-  const int exitCode = process.wait(kLimit);
+  const int exitCode = process.wait(kSweepLimit);
   return {exitCode, linesOf(process.output()), linesOf(process.errors())};
 }
 

@@ -6,10 +6,10 @@
 namespace platon::oracle {
 namespace {
 
-constexpr long double kSubunitsPerUnit = 1024;
+constexpr long double kUnit = 1024;
 constexpr long double kRounding = 1;
-constexpr long double kSmallestSize = 200 * kSubunitsPerUnit;
-constexpr long double kLargestSize = 65536 * kSubunitsPerUnit;
+constexpr long double kSmallestSize = 200 * kUnit;
+constexpr long double kLargestSize = 65536 * kUnit;
 /// Largest distance from a corner to the ends of a post that blocks it.
 constexpr long double kPostReach = 64;
 
@@ -38,9 +38,9 @@ bool FaceChecks::areFacesRegular() {
     failAt(0, std::to_string(first.size()) + " corners");
     return false;
   }
-  size_ = kSubunitsPerUnit * std::round(distance(toReal(first[0]), toReal(first[1])) / kSubunitsPerUnit);
+  size_ = kUnit * std::round(distance(toReal(first[0]), toReal(first[1])) / kUnit);
   if (size_ < kSmallestSize || size_ > kLargestSize) {
-    fail("face size of " + std::to_string(static_cast<std::int64_t>(size_ / kSubunitsPerUnit)));
+    fail("face size of " + std::to_string(static_cast<std::int64_t>(size_ / kUnit)));
     return false;
   }
   const auto wrong = std::find_if(header_.faces.begin(), header_.faces.end(),

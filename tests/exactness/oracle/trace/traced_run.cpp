@@ -17,7 +17,7 @@ namespace platon::oracle {
 namespace {
 
 // Applies after the end of the trace.
-constexpr std::chrono::seconds kLimit{60};
+constexpr std::chrono::seconds kRunLimit{60};
 
 using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -48,7 +48,7 @@ TracedRun runTraced(std::vector<std::string> arguments) {
   close(ends[1]);
   TraceChecker checker;
   checkStream(ends[0], checker);
-  const int exitCode = program.wait(kLimit);
+  const int exitCode = program.wait(kRunLimit);
   return {checker.report(), exitCode};
 }
 
