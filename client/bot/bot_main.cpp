@@ -1,5 +1,3 @@
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -11,8 +9,8 @@
 #include "client/bot/bot_report.h"
 #include "client/bot/condition_options.h"
 #include "client/time/steady_now.h"
-#include "platon_version.h"
 #include "protocol/program_error.h"
+#include "protocol/program_options.h"
 #include "protocol/transport/secret_file.h"
 #include "protocol/transport/server_address.h"
 
@@ -21,7 +19,6 @@ namespace platon {
 namespace {
 
 constexpr int kFailed = 1;
-constexpr int kUsage = 2;
 
 struct Options {
   std::string host;
@@ -30,28 +27,28 @@ struct Options {
   bool json = false;
 };
 
-void describe(CLI::App& app, Options& options) {
-  app.add_option("HOST", options.host, "Server address, HOST or HOST:PORT")->required();
-  app.add_option("--count", options.fleet.count, "Number of bots")->required()->check(CLI::Range(1, 256));
-  app.add_option("--seconds", options.fleet.seconds, "Duration in seconds")
-      ->required()
-      ->check(CLI::Range(0.1, 86400.0));
-  app.add_option("--seed", options.fleet.seed, "Seed of the buttons and of the simulated network conditions")
-      ->capture_default_str();
-  app.add_option("--desync-dir", options.fleet.desyncFolder,
-                 "Folder for desync reports, created if missing; without it none are written")
-      ->type_name("DIR");
-  app.add_flag("--hollow", options.fleet.hollow,
-               "Bots without a game, to load a server: they join, send inputs and acknowledge ticks; hundreds run on "
-               "one machine");
-  app.add_option("--settle", options.fleet.settleSeconds,
-                 "Seconds after its first tick before a bot is measured; desyncs, resyncs and the largest correction "
-                 "are counted from the start")
-      ->check(CLI::Range(0.0, 86400.0));
-  app.add_option("--password-file", options.passwordFile, "File with the server's password in its first line")
-      ->type_name("FILE");
-  app.add_flag("--json", options.json, "Print one JSON object");
-  addConditionOptions(app, options.fleet.quality);
+void describe(ProgramOptions& program, Options& options) {
+  program.add("HOST", options.host, "Server address, HOST or HOST:PORT").required();
+  program.add("--count", options.fleet.count, "Number of bots").required().range(1, 256);
+  program.add("--seconds", options.fleet.seconds, "Duration in seconds").required().range(0.1, 86400.0);
+  program.add("--seed", options.fleet.seed, "Seed of the buttons and of the simulated network conditions")
+      .showDefault();
+  program
+      .add("--desync-dir", options.fleet.desyncFolder,
+           "Folder for desync reports, created if missing; without it none are written")
+      .placeholder("DIR");
+  program.addFlag("--hollow", options.fleet.hollow,
+                  "Bots without a game, to load a server: they join, send inputs and acknowledge ticks; hundreds run "
+                  "on one machine");
+  program
+      .add("--settle", options.fleet.settleSeconds,
+           "Seconds after its first tick before a bot is measured; desyncs, resyncs and the largest correction are "
+           "counted from the start")
+      .range(0.0, 86400.0);
+  program.add("--password-file", options.passwordFile, "File with the server's password in its first line")
+      .placeholder("FILE");
+  program.addFlag("--json", options.json, "Print one JSON object");
+  addConditionOptions(program, options.fleet.quality);
 }
 
 int play(const Options& options) {
@@ -67,23 +64,17 @@ int play(const Options& options) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Headless clients of Platon that press buttons at random.", "platon-bot");
-  app.set_version_flag("--version", "platon-bot " + std::string(kVersion));
+  ProgramOptions program("platon-bot", "Headless clients of Platon that press buttons at random.");
   Options options;
-  describe(app, options);
+  describe(program, options);
   try {
-    app.parse(argc, argv);
-    return play(options);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "platon-bot: %s (see platon-bot --help)\n", error.what());
-    return kUsage;
+    return program.read(argc, argv) ? play(options) : 0;
   } catch (const ProgramError& error) {
     std::fprintf(stderr, "platon-bot: %s\n", error.what());
     return error.exitCode();
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "platon-bot: %s\n", error.what());
-    return kUsage;
+    return ProgramError::kUsage;
   }
 }
 

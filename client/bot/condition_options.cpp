@@ -1,43 +1,23 @@
 #include "client/bot/condition_options.h"
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include <string>
-
 namespace platon {
 
-namespace {
-
-// Unlike CLI::Range, refuses "nan".
-CLI::Validator between(double min, double max) {
-  const auto refuse = [min, max](const std::string& text) {
-    double value = 0;
-    const bool valid = CLI::detail::lexical_cast(text, value) && value >= min && value <= max;
-    return valid ? std::string() : fmt::format("'{}' is not a number from {} to {}", text, min, max);
+void addConditionOptions(ProgramOptions& program, LinkQuality& quality) {
+  const auto add = [&program](const char* name, double& value, double min, double max, const char* text) {
+    return program.add(name, value, text).range(min, max).group("Simulated network conditions, each way");
   };
-  return {refuse, fmt::format("FLOAT in [{} - {}]", min, max)};
-}
-
-}  // namespace
-
-void addConditionOptions(CLI::App& app, LinkQuality& quality) {
-  const auto add = [&app](const char* name, double& value, const CLI::Validator& range, const char* text) {
-    return app.add_option(name, value, text)->check(range)->group("Simulated network conditions, each way");
+  const auto percent = [&add](const char* name, double& value, const char* text) {
+    return add(name, value, 0, 100, text);
   };
-  const CLI::Validator percent = between(0, 100);
-  const CLI::Validator milliseconds = between(0, 10000);
-  add("--loss", quality.lossPercent, percent, "Datagrams lost independently, in per cent");
-  CLI::Option* const bursts =
-      add("--burst-loss", quality.burstLossPercent, percent, "Datagrams lost in bursts, in per cent");
-  add("--burst-length", quality.burstLength, between(1, 10000), "Mean number of datagrams in a burst; default 4")
-      ->needs(bursts);
-  add("--delay", quality.delayMs, milliseconds, "Delay in ms");
-  add("--jitter", quality.jitterMs, milliseconds, "Random additional delay, at most this many ms");
-  add("--duplicate", quality.duplicatePercent, percent, "Datagrams delivered twice, in per cent");
-  add("--reorder", quality.reorderPercent, percent, "Datagrams overtaken by later ones, in per cent");
-  add("--rate", quality.kilobytesPerSecond, between(0, 1e6), "Bandwidth in kilobytes per second; 0: unlimited");
-  add("--corrupt", quality.corruptPercent, percent, "Datagrams with one bit flipped, in per cent");
+  percent("--loss", quality.lossPercent, "Datagrams lost independently, in per cent");
+  auto bursts = percent("--burst-loss", quality.burstLossPercent, "Datagrams lost in bursts, in per cent");
+  add("--burst-length", quality.burstLength, 1, 10000, "Mean number of datagrams in a burst; default 4").needs(bursts);
+  add("--delay", quality.delayMs, 0, 10000, "Delay in ms");
+  add("--jitter", quality.jitterMs, 0, 10000, "Random additional delay, at most this many ms");
+  percent("--duplicate", quality.duplicatePercent, "Datagrams delivered twice, in per cent");
+  percent("--reorder", quality.reorderPercent, "Datagrams overtaken by later ones, in per cent");
+  add("--rate", quality.kilobytesPerSecond, 0, 1e6, "Bandwidth in kilobytes per second; 0: unlimited");
+  percent("--corrupt", quality.corruptPercent, "Datagrams with one bit flipped, in per cent");
 }
 
 }  // namespace platon

@@ -1,5 +1,3 @@
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -10,64 +8,58 @@
 #include "levels/tool/exit_code.h"
 #include "levels/tool/preview_command.h"
 #include "levels/tool/solve_command.h"
-#include "platon_version.h"
+#include "protocol/program_error.h"
+#include "protocol/program_options.h"
 
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("Checks, solves and draws Platon levels. docs/level_format.md describes the format.", "platon-level");
-  app.set_version_flag("--version", "platon-level " + std::string(platon::kVersion));
-  app.require_subcommand(1);
+  using Option = platon::ProgramOptions::Option;
+  platon::ProgramOptions program("platon-level",
+                                 "Checks, solves and draws Platon levels. docs/level_format.md describes the format.");
 
   std::vector<std::string> files;
   bool json = false;
-  CLI::App* check = app.add_subcommand("check", "Print all errors and warnings of level files");
-  check->add_option("FILE", files, "Level files")->required();
-  check->add_flag("--json", json, "Print one JSON object to stdout");
+  auto check = program.addCommand("check", "Print all errors and warnings of level files");
+  check.add("FILE", files, "Level files").required();
+  check.addFlag("--json", json, "Print one JSON object to stdout");
 
   std::string level;
   std::string picture;
   int width = platon::kPictureWidth;
-  CLI::App* preview = app.add_subcommand("preview", "Draw a level: its solid from two sides, and its net");
-  preview->add_option("FILE", level, "Level file")->required();
-  preview->add_option("-o,--output", picture, "PNG file to write")->type_name("FILE")->required();
-  preview->add_option("--width", width, "Width of the picture in pixels; the height is 5/8 of it")
-      ->check(CLI::Range(platon::kMinPictureWidth, platon::kMaxPictureWidth))
-      ->capture_default_str();
+  auto preview = program.addCommand("preview", "Draw a level: its solid from two sides, and its net");
+  preview.add("FILE", level, "Level file").required();
+  preview.add("-o,--output", picture, "PNG file to write").placeholder("FILE").required();
+  preview.add("--width", width, "Width of the picture in pixels; the height is 5/8 of it")
+      .range(platon::kMinPictureWidth, platon::kMaxPictureWidth)
+      .showDefault();
 
   platon::SolveOptions solving;
-  CLI::App* solve = app.add_subcommand("solve", "Search for a way to the goal");
-  solve->add_option("FILE", solving.file, "Level file")->required();
-  solve->add_option("-o,--output", solving.recording, "Recording of the way to write")->type_name("FILE");
+  auto solve = program.addCommand("solve", "Search for a way to the goal");
+  solve.add("FILE", solving.file, "Level file").required();
+  const Option output =
+      solve.add("-o,--output", solving.recording, "Recording of the way to write").placeholder("FILE");
+  const Option crossings = solve
+                               .add("--without-crossing", solving.withoutCrossing,
+                                    "Prove that no way to the goal has fewer than this many crossings of edges")
+                               .range(0, 200);
+  const Option pressCost = solve
+                               .add("--press-cost", solving.pressCost,
+                                    "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
+                               .range(0, 600)
+                               .showDefault();
   solve
-      ->add_option("--without-crossing", solving.withoutCrossing,
-                   "Prove that no way to the goal has fewer than this many crossings of edges")
-      ->check(CLI::Range(0, 200));
-  solve
-      ->add_option("--press-cost", solving.pressCost,
-                   "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
-      ->check(CLI::Range(0, 600))
-      ->capture_default_str();
-  CLI::Option* recorded =
-      solve
-          ->add_option(
-              "--recorded", solving.recorded,
-              "Tell about the way in this recording instead of searching; fails if it does not lead to the goal")
-          ->type_name("FILE");
-  for (const char* search : {"--output", "--without-crossing", "--press-cost"}) {
-    recorded->excludes(solve->get_option(search));
-  }
-  solve->add_flag("--json", solving.json, "Print one JSON object to stdout");
+      .add("--recorded", solving.recorded,
+           "Tell about the way in this recording instead of searching; fails if it does not lead to the goal")
+      .placeholder("FILE")
+      .excludes(output)
+      .excludes(crossings)
+      .excludes(pressCost);
+  solve.addFlag("--json", solving.json, "Print one JSON object to stdout");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "platon-level: %s (see platon-level --help)\n", error.what());
-    return platon::kUsage;
-  }
-  if (solve->parsed()) return platon::solveLevel(solving);
-  if (preview->parsed()) return platon::previewLevel(level, picture, width);
+  if (!program.read(argc, argv)) return 0;
+  if (solve.given()) return platon::solveLevel(solving);
+  if (preview.given()) return platon::previewLevel(level, picture, width);
   return platon::checkLevels(files, json);
 }
 
@@ -76,6 +68,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const platon::ProgramError& error) {
+    std::fprintf(stderr, "platon-level: %s\n", error.what());
+    return error.exitCode();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "platon-level: %s\n", error.what());
     return platon::kFailed;

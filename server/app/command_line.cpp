@@ -1,22 +1,15 @@
 #include "server/app/command_line.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <utility>
 
-#include "platon_version.h"
 #include "protocol/program_error.h"
+#include "protocol/program_options.h"
 #include "server/app/config_file.h"
 #include "server/app/option_table.h"
 
 namespace platon {
 namespace {
-
-[[noreturn]] void refuse(std::string why) {
-  std::replace(why.begin(), why.end(), '\n', ' ');
-  throw ProgramError(ProgramError::kUsage, why + " (see platon-server --help)");
-}
 
 // The words of the command line, before their values are checked.
 struct Words {
@@ -36,28 +29,27 @@ std::string helpOf(const ServerOption& option) {
   return text && !text->empty() ? help + " " + *text : help + ": " + std::string(option.whenEmpty);
 }
 
-void declare(CLI::App& app, Words& words) {
-  app.set_version_flag("--version", "platon-server " + std::string(kVersion));
+void declare(ProgramOptions& program, Words& words) {
   words.values.resize(serverOptions().size());
   for (std::size_t i = 0; i < words.values.size(); ++i) {
     const ServerOption& option = serverOptions()[i];
     if (option.name == kLevelsOption)
-      app.add_option(std::string(option.placeholder), words.levels, helpOf(option));
+      program.add(std::string(option.placeholder), words.levels, helpOf(option));
     else
-      app.add_option("--" + std::string(option.name), words.values[i], helpOf(option))
-          ->type_name(std::string(option.placeholder));
+      program.add("--" + std::string(option.name), words.values[i], helpOf(option))
+          .placeholder(std::string(option.placeholder));
   }
-  app.add_option("--config", words.config, "Configuration file (docs/hosting.md); command-line options override it")
-      ->type_name("FILE");
-  auto* console = app.add_flag("--console", words.console, "Give commands to the server that runs on this machine");
-  auto* print = app.add_flag("--print-config", words.printConfig, "Print a configuration file with all defaults");
-  auto* check =
-      app.add_flag("--check-config", words.checkConfig, "Check the configuration and the files that it names");
-  console->excludes(print)->excludes(check);
-  print->excludes(check);
+  program.add("--config", words.config, "Configuration file (docs/hosting.md); command-line options override it")
+      .placeholder("FILE");
+  auto console = program.addFlag("--console", words.console, "Give commands to the server that runs on this machine");
+  auto print = program.addFlag("--print-config", words.printConfig, "Print a configuration file with all defaults");
+  auto check =
+      program.addFlag("--check-config", words.checkConfig, "Check the configuration and the files that it names");
+  console.excludes(print).excludes(check);
+  print.excludes(check);
 }
 
-CommandLine checked(Words words) {
+CommandLine checked(const ProgramOptions& program, Words words) {
   CommandLine line;
   if (words.console) line.task = ServerTask::kConsole;
   if (words.printConfig) line.task = ServerTask::kPrintConfig;
@@ -69,7 +61,7 @@ CommandLine checked(Words words) {
     if (!levels && !words.values[i]) continue;
     const auto error = levels ? setOption(option, OptionValue(words.levels), line.given)
                               : setOption(option, *words.values[i], line.given);
-    if (error) refuse("--" + std::string(option.name) + " " + error->what);
+    if (error) program.refuse("--" + std::string(option.name) + " " + error->what);
     line.names.emplace_back(option.name);
   }
   return line;
@@ -78,17 +70,11 @@ CommandLine checked(Words words) {
 }  // namespace
 
 std::optional<CommandLine> readCommandLine(int argc, const char* const* argv) {
-  CLI::App app("The dedicated server of Platon.", "platon-server");
+  ProgramOptions program("platon-server", "The dedicated server of Platon.");
   Words words;
-  declare(app, words);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) refuse(error.what());
-    app.exit(error);
-    return std::nullopt;
-  }
-  return checked(std::move(words));
+  declare(program, words);
+  if (!program.read(argc, argv)) return std::nullopt;
+  return checked(program, std::move(words));
 }
 
 OptionsResult readOptions(const CommandLine& line) {

@@ -5,9 +5,8 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
-#include "platon_version.h"
+#include "protocol/program_error.h"
+#include "protocol/program_options.h"
 #include "tests/bench/report.h"
 
 namespace {
@@ -40,20 +39,19 @@ Report run(const Effort& effort) {
 int main(int argc, char** argv) {
   bool quick = false;
   bool json = false;
-  CLI::App app("platon-bench: measures speed and error of Platon and of other engines.", "platon-bench");
-  app.set_version_flag("--version", "platon-bench " + std::string(platon::kVersion));
-  app.add_flag("--quick", quick, "do a tenth of the work, in less than a minute");
-  app.add_flag("--json", json, "print one JSON object");
+  platon::ProgramOptions program("platon-bench",
+                                 "platon-bench: measures speed and error of Platon and of other engines.");
+  program.addFlag("--quick", quick, "do a tenth of the work, in less than a minute");
+  program.addFlag("--json", json, "print one JSON object");
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& reason) {
-    return app.exit(reason) == 0 ? 0 : 2;
-  }
-  try {
+    if (!program.read(argc, argv)) return 0;
     std::filesystem::current_path(PLATON_ROOT);  // paths of levels and scenes are relative to it
     const Report report = run(quick ? Effort::quick() : Effort());
     std::printf("%s\n", (json ? toJson(report) : toText(report)).c_str());
     return 0;
+  } catch (const platon::ProgramError& reason) {
+    std::fprintf(stderr, "platon-bench: %s\n", reason.what());
+    return reason.exitCode();
   } catch (const std::exception& reason) {
     std::fprintf(stderr, "platon-bench: %s\n", reason.what());
     return 1;

@@ -129,6 +129,8 @@ def tables(lanes):
 
 
 def is_product(target):
+    if target.endswith("_testing"):
+        return False
     return target.startswith(("platon_client", "platon_server", "platon_level", "platon-")) or target in (
         "platon_headers", "platon_exact", "platon_physics", "platon_game", "platon_protocol", "platon_drawing",
         "platon_json_text", "platon_sim")  # fmt: skip

@@ -1,30 +1,31 @@
 #include "client/bot/condition_options.h"
 
 #include <gtest/gtest.h>
-#include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <string>
 #include <vector>
+
+#include "protocol/program_error.h"
 
 namespace platon::condition_options_test {
 namespace {
 
-LinkQuality read(std::vector<std::string> arguments) {
-  CLI::App app;
+LinkQuality read(const std::vector<std::string>& words) {
+  ProgramOptions program("bots", "");
   LinkQuality quality;
-  addConditionOptions(app, quality);
-  std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
-  app.parse(arguments);
+  addConditionOptions(program, quality);
+  std::vector<const char*> arguments{"bots"};
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  program.read(static_cast<int>(arguments.size()), arguments.data());
   return quality;
 }
 
 // The error message; empty if the arguments are accepted.
-std::string refusal(const std::vector<std::string>& arguments) {
+std::string refusal(const std::vector<std::string>& words) {
   try {
-    read(arguments);
+    read(words);
     return "";
-  } catch (const CLI::ParseError& error) {
+  } catch (const ProgramError& error) {
     return error.what();
   }
 }
@@ -62,7 +63,8 @@ TEST(ConditionOptions, RefuseValuesOutOfRange) {
     const auto max = std::to_string(static_cast<int>(one.max));
     EXPECT_EQ(refusal({one.option, max}), "") << one.option;
     for (const std::string& value : {std::string("-0.1"), max + ".1", std::string("nan"), std::string("much")}) {
-      EXPECT_EQ(refusal({one.option, value}), one.option + ": '" + value + "' is not a number from 0 to " + max);
+      EXPECT_EQ(refusal({one.option, value}),
+                one.option + ": '" + value + "' is not a number from 0 to " + max + " (see bots --help)");
     }
   }
 }
@@ -71,15 +73,15 @@ TEST(ConditionOptions, BurstLengthNeedsBurstLoss) {
   EXPECT_EQ(read({"--burst-loss", "3"}).burstLength, 4);
   EXPECT_EQ(read({"--burst-length", "7.5", "--burst-loss", "3"}).burstLength, 7.5);
   EXPECT_EQ(refusal({"--burst-loss", "3", "--burst-length", "0.9"}),
-            "--burst-length: '0.9' is not a number from 1 to 10000");
-  EXPECT_EQ(refusal({"--burst-length", "7.5"}), "--burst-length requires --burst-loss");
+            "--burst-length: '0.9' is not a number from 1 to 10000 (see bots --help)");
+  EXPECT_EQ(refusal({"--burst-length", "7.5"}), "--burst-length requires --burst-loss (see bots --help)");
 }
 
 TEST(ConditionOptions, HaveTheirOwnGroupInTheHelp) {
-  CLI::App app;
+  ProgramOptions program("bots", "");
   LinkQuality quality;
-  addConditionOptions(app, quality);
-  const std::string help = app.help();
+  addConditionOptions(program, quality);
+  const std::string help = program.help();
   const std::size_t group = help.find("Simulated network conditions, each way:");
   ASSERT_NE(group, std::string::npos) << help;
   for (const Case& one : kCases) EXPECT_GT(help.find(one.option + " "), group) << help;

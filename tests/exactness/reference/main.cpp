@@ -9,9 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
-#include "platon_version.h"
+#include "protocol/program_error.h"
+#include "protocol/program_options.h"
 #include "tests/exactness/reference/lattice_error.h"
 #include "tests/exactness/reference/solid_walk.h"
 #include "tests/exactness/reference/terrain.h"
@@ -90,43 +89,41 @@ int runTerrains(const Options& options) {
   return table.holds() ? 0 : 1;
 }
 
-void addOptions(CLI::App& app, Options& options) {
-  app.set_version_flag("--version", "platon-reference " + std::string(platon::kVersion));
-  auto* json = app.add_flag("--json", options.json, "print one JSON object");
-  auto* terrains = app.add_option("--terrains", options.terrains, "judge this many random terrains instead");
-  auto* walks = app.add_option("--walks", options.walks, "judge this many walks on every solid, in two ways each");
-  auto* seed = app.add_option("--seed", options.seed, "seed of the first terrain or walk; the next ones ascend");
-  auto* scene = app.add_option("--scene-seed", options.sceneSeed, "judge only the terrain with this seed");
-  app.add_option("--ticks", options.ticks, "ticks of every terrain, slow scene or walk")
-      ->check(CLI::Range(101, 1000000));
-  auto* slow = app.add_flag("--slow", options.slow, "judge every scene at a tenth of its speed");
-  app.add_flag("--rows", options.rows, "print a row for each terrain");
-  auto* write = app.add_option("--write", options.sceneFile, "write that terrain to this scene file");
-  terrains->check(CLI::Range(1, 1000000))->excludes(json)->excludes(scene);
-  slow->excludes(json)->excludes(terrains)->excludes(scene);
-  walks->check(CLI::Range(1, 1000000))->excludes(json)->excludes(terrains)->excludes(scene)->excludes(slow);
-  seed->excludes(json)->excludes(slow)->excludes(scene);
-  scene->excludes(json);
-  write->needs(scene);
+void addOptions(platon::ProgramOptions& program, Options& options) {
+  auto json = program.addFlag("--json", options.json, "print one JSON object");
+  auto terrains = program.add("--terrains", options.terrains, "judge this many random terrains instead");
+  auto walks = program.add("--walks", options.walks, "judge this many walks on every solid, in two ways each");
+  auto seed = program.add("--seed", options.seed, "seed of the first terrain or walk; the next ones ascend");
+  auto scene = program.add("--scene-seed", options.sceneSeed, "judge only the terrain with this seed");
+  program.add("--ticks", options.ticks, "ticks of every terrain, slow scene or walk").range(101, 1000000);
+  auto slow = program.addFlag("--slow", options.slow, "judge every scene at a tenth of its speed");
+  program.addFlag("--rows", options.rows, "print a row for each terrain");
+  auto write = program.add("--write", options.sceneFile, "write that terrain to this scene file");
+  terrains.range(1, 1000000).excludes(json).excludes(scene);
+  slow.excludes(json).excludes(terrains).excludes(scene);
+  walks.range(1, 1000000).excludes(json).excludes(terrains).excludes(scene).excludes(slow);
+  seed.excludes(json).excludes(slow).excludes(scene);
+  scene.excludes(json);
+  write.needs(scene);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   Options options;
-  CLI::App app("platon-reference: measures the distance of the simulated body from the ideal one.", "platon-reference");
-  addOptions(app, options);
+  platon::ProgramOptions program("platon-reference",
+                                 "platon-reference: measures the distance of the simulated body from the ideal one.");
+  addOptions(program, options);
   try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& reason) {
-    return app.exit(reason) == 0 ? 0 : 2;
-  }
-  try {
+    if (!program.read(count, arguments)) return 0;
     if (options.terrains > 0 || options.sceneSeed) return runTerrains(options);
     if (options.walks > 0) return judgeWalks(options.seed, options.walks, options.ticks, stdout) ? 0 : 1;
     if (options.slow) return judgeSlowScenes(options.ticks);
     printAll(options.json);
     return 0;
+  } catch (const platon::ProgramError& error) {
+    std::fprintf(stderr, "platon-reference: %s\n", error.what());
+    return error.exitCode();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "platon-reference: %s\n", error.what());
     return 1;
