@@ -11,7 +11,7 @@ namespace platon {
 Input Steering::input(const HeldKeys& keys, double roll, ControlFrame frame) {
   // Directions counter-clockwise from the right.
   const std::array<bool, 4> held{keys.right, keys.up, keys.left, keys.down};
-  constexpr std::array<std::uint8_t, 4> kButtons{Input::kRight, Input::kJump, Input::kLeft, Input::kDown};
+  constexpr std::array<std::uint8_t, 4> kInputOf{Input::kRight, Input::kJump, Input::kLeft, Input::kDown};
   const bool anyHeld = keys.right || keys.up || keys.left || keys.down;
   if (frame == ControlFrame::kPlayer) {
     quarters_ = 0;
@@ -21,7 +21,7 @@ Input Steering::input(const HeldKeys& keys, double roll, ControlFrame frame) {
   Input input{Input::kPresent};
   for (int direction = 0; direction < 4; ++direction) {
     const int turned = ((direction - quarters_) % 4 + 4) % 4;
-    if (held[static_cast<std::size_t>(direction)]) input.buttons |= kButtons[static_cast<std::size_t>(turned)];
+    if (held[static_cast<std::size_t>(direction)]) input.buttons |= kInputOf[static_cast<std::size_t>(turned)];
   }
   if (keys.jump) input.buttons |= Input::kJump;
   if (keys.walk) input.buttons |= Input::kWalk;
