@@ -73,7 +73,7 @@ TEST_P(SyncTest, ACopyContinuesAsTheOriginal) {
 TEST_P(SyncTest, ARollbackReplaysTheSameGame) {
   const auto level = this->level();
   const History history = historyOf(level, step_check::runLength(200, 3600));
-  const auto step = static_cast<std::size_t>(step_check::runLength(21, 1));
+  const auto step = static_cast<std::size_t>(step_check::stride(21));
   for (std::size_t k = 1; k <= kMaxRollback; k += step) {
     Game game(level);
     for (std::size_t tick = 0; tick < history.ticks(); ++tick) {

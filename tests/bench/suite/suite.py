@@ -94,7 +94,8 @@ def measure(lane, tests):
                 name, command, environment, directory = left.get_nowait()
             except queue.Empty:
                 return
-            child = subprocess.Popen(command, cwd=directory, env=os.environ | environment, stdin=subprocess.DEVNULL,
+            environment = os.environ | environment | {"PLATON_BRIEF": "1"}
+            child = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL,
                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # fmt: skip
             _, status, used = os.wait4(child.pid, 0)
             lane.run[name] = used.ru_utime + used.ru_stime

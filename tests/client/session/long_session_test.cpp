@@ -43,7 +43,7 @@ LinkQuality qualityOf(std::uint32_t number) {
 
 // Over many rounds and levels, under all conditions.
 TEST(LongSession, DetectsNoDesyncWithoutACause) {
-  const auto wanted = static_cast<std::uint64_t>(step_check::runLength(repetitions(100000), 1000000));
+  const auto wanted = static_cast<std::uint64_t>(step_check::runLength(100000, 1000000));
   SessionNetwork match({flatLevel(), cornerLevel(), endlessLevel()}, kSeed);
   for (std::uint32_t bot = 0; bot < kBots; ++bot) {
     match.join(qualityOf(bot), pressing(kSeed + bot));

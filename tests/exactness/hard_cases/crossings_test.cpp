@@ -50,7 +50,7 @@ struct Flight {
 /// together cover every degree.
 template <class Visit>
 void forEachFlight(const char* which, int everyNth, Visit&& visit) {
-  const auto step = static_cast<int>(step_check::runLength(everyNth, 1));
+  const auto step = static_cast<int>(step_check::stride(everyNth));
   int first = 0;
   for (const SolidKind kind : kAllSolids) {
     HardLevel level(levelOf(kind, which));

@@ -21,6 +21,7 @@
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 #include "tests/sim/seeded_random.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::hard_cases::joints_test {
 namespace {
@@ -216,7 +217,7 @@ void expectChainsWithinBounds(std::int64_t chains, std::int32_t off, const Bound
     expectChainWithinBounds(seed, off, bounds, worst);
   }
   worst.print();
-  EXPECT_GE(worst.steps, 370 * chains);
+  EXPECT_GE(worst.steps, 370 * repetitions(chains));
 }
 
 TEST(JointsTest, EndsOffByOneSubunitDoNotStopTheEntity) { expectChainsWithinBounds(1600, 1, kNearlyCollinear); }

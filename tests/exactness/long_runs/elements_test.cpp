@@ -19,6 +19,7 @@
 #include "tests/shared/game/real_face.h"
 #include "tests/sim/churn.h"
 #include "tests/support/element_level.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::long_runs::elements_test {
 namespace {
@@ -147,7 +148,7 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
     return checker.finishTick(open);
   };
   int crossings = 0;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < repetitions(1500); ++round) {
     World world = level.world;
     ElementRules open(level, 1);
     world.setRules(open);
@@ -164,7 +165,7 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
         << "PLATON_SEED=" << properties::firstSeed() << ", round " << round;
     crossings += ball.part() == 5 ? 1 : 0;
   }
-  EXPECT_GT(crossings, 250);
+  EXPECT_GT(crossings, repetitions(250));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ class FloorSlopesTest : public testing::TestWithParam<SolidKind> {};
 // On steeper floors the centre of the ball, which is above the floor, crosses the edge only after the end of this run.
 TEST_P(FloorSlopesTest, CrossingAnEdgeNeitherSlowsNorLifts) {
   const PlatonicSolid& solid = PlatonicSolid::of(GetParam());
-  const auto step = static_cast<int>(step_check::runLength(5, 1));
+  const auto step = static_cast<int>(step_check::stride(5));
   for (int face = 0; face < solid.faces(); ++face) {
     for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
       for (int slant = -60; slant <= 60; slant += step) {

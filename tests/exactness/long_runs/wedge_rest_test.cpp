@@ -11,6 +11,7 @@
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::long_runs::wedge_rest_test {
 namespace {
@@ -94,9 +95,9 @@ Pressed anyWedge(RandomSource& random) {
 }
 
 TEST(WedgeRestTest, RestsInRandomWedges) {
-  const std::int64_t ticks = step_check::runLength(8, 100000);
+  const std::int64_t ticks = step_check::isLong() ? 100000 : 8;
   std::int64_t resting = 0;
-  properties::forEachCase(6000, [&](RandomSource& random) {
+  properties::forEachCase(repetitions(6000), [&](RandomSource& random) {
     const Pressed pressed = anyWedge(random);
     try {
       resting += expectRestOrEscape(pressed, ticks) ? 1 : 0;
@@ -104,7 +105,7 @@ TEST(WedgeRestTest, RestsInRandomWedges) {
     }
   });
   std::cout << resting << " entities rest\n";
-  EXPECT_GE(resting, 200);
+  EXPECT_GE(resting, repetitions(200));
 }
 
 }  // namespace

@@ -12,13 +12,14 @@
 #include "platon/exact/point.h"
 #include "shared/exact/square_root.h"
 #include "tests/exactness/properties/seeded_cases.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::properties::arithmetic_laws_test {
 namespace {
 
 using oracle::RandomSource;
 
-constexpr std::int64_t kCases = 200000;
+const std::int64_t kCases = repetitions(200000);
 constexpr std::int64_t kLargest = std::int64_t{1} << 62;
 
 // Requires |value| < 2^126.

@@ -11,6 +11,7 @@
 #include "tests/fuzz/fuzz_scene.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/files.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::properties::fuzzed_bytes_test {
 namespace {
@@ -37,7 +38,7 @@ bool givesAScene(const ByteString& bytes, bool& onSolid) {
 }
 
 TEST(FuzzedBytesTest, InvariantsHoldInEveryScene) {
-  constexpr std::int64_t cases = 20000;
+  const std::int64_t cases = repetitions(20000);
   std::int64_t planes = 0;
   std::int64_t solids = 0;
   forEachCase(cases, [&](RandomSource& random) {
@@ -53,11 +54,11 @@ TEST(FuzzedBytesTest, InvariantsHoldInEveryScene) {
 }
 
 TEST(FuzzedBytesTest, EverySweepIsExact) {
-  forEachCase(60000, [](RandomSource& random) { EXPECT_EQ(fuzz::sweepFault(anyBytes(random, 200)), ""); });
+  forEachCase(repetitions(60000), [](RandomSource& random) { EXPECT_EQ(fuzz::sweepFault(anyBytes(random, 200)), ""); });
 }
 
 TEST(FuzzedBytesTest, EveryMessageAndSavedGameIsReadOrRefused) {
-  forEachCase(4000, [](RandomSource& random) {
+  forEachCase(repetitions(4000), [](RandomSource& random) {
     const ByteString bytes = anyBytes(random, 400);
     EXPECT_EQ(fuzz::protocolFault(bytes), "");
     EXPECT_EQ(fuzz::gameStateFault(bytes), "");
@@ -82,7 +83,7 @@ TEST(FuzzedBytesTest, EveryLevelIsReadOrRefused) {
   std::vector<std::string> levels;
   for (const std::string& file : solidLevels()) levels.push_back(readText(file));
   ASSERT_GE(levels.size(), 5u);
-  constexpr std::int64_t cases = 1500;
+  const std::int64_t cases = repetitions(1500);
   std::int64_t accepted = 0;
   forEachCase(cases, [&](RandomSource& random) {
     std::string text = levels[random.below(levels.size())];

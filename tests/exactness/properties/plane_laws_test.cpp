@@ -8,6 +8,7 @@
 #include "tests/exactness/properties/plane_scene.h"
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/step_check/step_checker.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::properties::plane_laws_test {
 namespace {
@@ -84,7 +85,7 @@ struct WorldPair {
 
 TEST(PlaneLawsTest, InvariantsHoldInEveryLeg) {
   std::size_t legs = 0;
-  forEachCase(6000, [&](RandomSource& random) {
+  forEachCase(repetitions(6000), [&](RandomSource& random) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     World world = scene.world();
     const Convex shape(scene.shape);
@@ -97,12 +98,12 @@ TEST(PlaneLawsTest, InvariantsHoldInEveryLeg) {
       for (std::uint32_t i = 0; i < scene.entities.size(); ++i) legs += checker.moves(i);
     }
   });
-  EXPECT_GE(legs, 200000u);
+  EXPECT_GE(legs, repetitions(200000u));
 }
 
 // The shift is as large as the coordinate range of the moving entities permits.
 TEST(PlaneLawsTest, AShiftedSceneMovesInTheSameWay) {
-  forEachCase(10000, [](RandomSource& random) {
+  forEachCase(repetitions(10000), [](RandomSource& random) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     const LatticeMap map{false, 0, toPoint(random.vector(scene.scale < 1 << 20 ? kCoordinateLimit / 2 : 1 << 20))};
     WorldPair pair(scene, scene.mapped(map), map);
@@ -112,7 +113,7 @@ TEST(PlaneLawsTest, AShiftedSceneMovesInTheSameWay) {
 }
 
 TEST(PlaneLawsTest, TheDirectionOfASegmentDoesNotMatter) {
-  forEachCase(10000, [](RandomSource& random) {
+  forEachCase(repetitions(10000), [](RandomSource& random) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     PlaneScene other = scene;
     for (Segment& line : other.lines) std::swap(line.a, line.b);
@@ -157,7 +158,7 @@ void placeEntities(PlaneScene& scene, RandomSource& random) {
 
 TEST(PlaneLawsTest, ARotatedOrMirroredSceneMovesInTheSameWay) {
   std::size_t entities = 0;
-  forEachCase(8000, [&](RandomSource& random) {
+  forEachCase(repetitions(8000), [&](RandomSource& random) {
     PlaneScene scene = generalScene(random);
     placeEntities(scene, random);
     entities += scene.entities.size();
@@ -168,12 +169,12 @@ TEST(PlaneLawsTest, ARotatedOrMirroredSceneMovesInTheSameWay) {
           << "tick " << tick << ", mirror " << map.mirror << ", quarters " << map.quarters;
     }
   });
-  EXPECT_GE(entities, 8000u);
+  EXPECT_GE(entities, repetitions(8000u));
 }
 
 // In general position no two segments are hit at the same time.
 TEST(PlaneLawsTest, TheOrderOfSegmentsDoesNotMatter) {
-  forEachCase(8000, [](RandomSource& random) {
+  forEachCase(repetitions(8000), [](RandomSource& random) {
     PlaneScene scene = generalScene(random);
     placeEntities(scene, random);
     PlaneScene other = scene;

@@ -13,6 +13,7 @@
 #include "tests/exactness/properties/lattice_map.h"
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/step_check/conversions.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::properties::shape_laws_test {
 namespace {
@@ -52,7 +53,7 @@ std::vector<Point> anyPolygon(RandomSource& random) {
 
 TEST(ShapeLawsTest, ConvexityDoesNotDependOnPlaceRotationOrFirstVertex) {
   std::int64_t faults = 0;
-  constexpr std::int64_t cases = 100000;
+  const std::int64_t cases = repetitions(100000);
   forEachCase(cases, [&](RandomSource& random) {
     const std::vector<Point> polygon = anyPolygon(random);
     const bool faulty = Convex::fault(polygon).has_value();
@@ -84,7 +85,7 @@ std::set<std::pair<std::int32_t, std::int32_t>> asSet(const std::vector<Point>& 
 }
 
 TEST(ShapeLawsTest, TheHullOfAHullIsItself) {
-  forEachCase(50000, [](RandomSource& random) {
+  forEachCase(repetitions(50000), [](RandomSource& random) {
     std::vector<Point> cloud = anyCloud(random);
     const std::vector<Point> hull = convexHull(cloud);
     const bool flat = Convex::fault(hull).has_value();
@@ -122,7 +123,7 @@ Point anyVector(RandomSource& random, std::int64_t limit) {
 }
 
 TEST(ShapeLawsTest, AnIdealSlideLeadsAlongTheEdgeAndIsSymmetric) {
-  forEachCase(500000, [&](RandomSource& random) {
+  forEachCase(repetitions(500000), [&](RandomSource& random) {
     const Point normal = anyVector(random, (std::int64_t{1} << 29) - 1);
     const PrecisePoint displacement = precise(anyVector(random, (std::int64_t{1} << 29) - 1));
     const PrecisePoint slid = alongEdge(normal, displacement);
@@ -177,7 +178,7 @@ std::vector<Segment> anyLines(RandomSource& random, std::int64_t radius) {
 
 TEST(ShapeLawsTest, AGridFindsEverySegmentThatOverlapsABox) {
   std::int64_t found = 0;
-  forEachCase(20000, [&](RandomSource& random) {
+  forEachCase(repetitions(20000), [&](RandomSource& random) {
     const std::int64_t radius =
         random.oneIn(4) ? platon::kCoordinateLimit - 1 : (std::int64_t{1} << random.between(1, 29)) - 1;
     const std::vector<Segment> lines = anyLines(random, radius);
@@ -197,7 +198,7 @@ TEST(ShapeLawsTest, AGridFindsEverySegmentThatOverlapsABox) {
       }
     }
   });
-  EXPECT_GT(found, 1000000);
+  EXPECT_GT(found, repetitions(1000000));
 }
 
 }  // namespace

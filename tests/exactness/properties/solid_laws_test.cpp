@@ -14,6 +14,7 @@
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/properties/solid_symmetry.h"
 #include "tests/exactness/step_check/conversions.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::properties::solid_laws_test {
 namespace {
@@ -122,7 +123,7 @@ TEST(SolidLawsTest, FaceNumbersDoNotMatter) {
     for (const SolidSymmetry& symmetry : symmetriesOf(PlatonicSolid::of(kind))) {
       if (!symmetry.onlyRenumbers() || symmetry.images[0].face == 0) continue;
       ++renumberings;
-      forEachCase(200, [&](RandomSource& random) {
+      forEachCase(repetitions(200), [&](RandomSource& random) {
         const auto size = static_cast<std::int32_t>(random.between(kMinFaceSize, 300));
         const Lines lines = anyLines(kind, size, random);
         const Placement start = anyStart(kind, size, random);
@@ -143,7 +144,7 @@ TEST(SolidLawsTest, FaceNumbersDoNotMatter) {
     }
   }
   EXPECT_EQ(renumberings, 7 + 9);
-  EXPECT_GE(crossings, 5000);
+  EXPECT_GE(crossings, repetitions(5000));
 }
 
 // True if no post is near enough to stop or nudge the ball.
@@ -161,7 +162,7 @@ TEST(SolidLawsTest, RotationsOfTheHexahedronPreserveTheMotion) {
   const std::vector<SolidSymmetry> symmetries = symmetriesOf(PlatonicSolid::of(kind));
   ASSERT_EQ(symmetries.size(), 24u);
   std::int64_t crossings = 0;
-  forEachCase(4000, [&](RandomSource& random) {
+  forEachCase(repetitions(4000), [&](RandomSource& random) {
     const SolidSymmetry& symmetry = symmetries[random.below(symmetries.size())];
     ASSERT_TRUE(symmetry.isExact());
     const auto size = static_cast<std::int32_t>(random.between(kMinFaceSize, 300));
@@ -182,7 +183,7 @@ TEST(SolidLawsTest, RotationsOfTheHexahedronPreserveTheMotion) {
     }
     crossings += one.ball().state().crossings;
   });
-  EXPECT_GE(crossings, 15000);
+  EXPECT_GE(crossings, repetitions(15000));
 }
 
 }  // namespace

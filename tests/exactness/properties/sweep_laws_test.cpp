@@ -14,6 +14,7 @@
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/step_check/conversions.h"
 #include "tests/shared/physics/sweep_query.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::properties::sweep_laws_test {
 namespace {
@@ -60,7 +61,7 @@ void expectSameTimes(const std::optional<Hit>& hit, const std::optional<Hit>& ot
 bool inRange(Point point) { return isCoordinate(point.x) && isCoordinate(point.y); }
 
 TEST(SweepLawsTest, AnswersAreSymmetric) {
-  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(repetitions(5000), [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
     LatticeMap map = anyMap(random, kCoordinateLimit / 2);
     const auto fits = [&] {
       return inRange(map.place(query.position)) && inRange(map.place(query.segment.a)) &&
@@ -80,7 +81,7 @@ TEST(SweepLawsTest, AnswersAreSymmetric) {
 }
 
 TEST(SweepLawsTest, SegmentDirectionAndFirstVertexDoNotMatter) {
-  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(repetitions(5000), [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
     SweepQuery other = query;
     std::swap(other.segment.a, other.segment.b);
     expectSameTimes(hit, answer(other));
@@ -91,7 +92,7 @@ TEST(SweepLawsTest, SegmentDirectionAndFirstVertexDoNotMatter) {
 }
 
 TEST(SweepLawsTest, ALargerMarginNeitherLosesNorDelaysAHit) {
-  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(repetitions(5000), [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
     std::optional<Hit> last = hit;
     for (std::int32_t margin = 0; margin < 64;) {
       margin += static_cast<std::int32_t>(random.between(1, 24));
@@ -118,7 +119,7 @@ Point times(std::int64_t factor, Point vector) {
 
 // A displacement of equal steps: those before the hit are free, and one more step hits the segment at the same place.
 TEST(SweepLawsTest, APartOfTheDisplacementHitsAtTheSamePlace) {
-  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>&, RandomSource& random) {
+  forEachQuery(repetitions(5000), [](const SweepQuery& query, const std::optional<Hit>&, RandomSource& random) {
     const std::int64_t steps = random.between(1, 1000);
     SweepQuery whole = query;
     const Point step(query.displacement.x / static_cast<std::int32_t>(steps),

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "platon/game/solid.h"
-#include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::reference::solid_walk_test {
 namespace {
@@ -17,7 +17,7 @@ class SolidWalkTest : public testing::TestWithParam<std::tuple<SolidKind, Drive>
 /// I8 over edges.
 TEST_P(SolidWalkTest, TheBodyFollowsItsIdealPath) {
   const auto [kind, drive] = GetParam();
-  const std::int64_t walks = step_check::runLength(4, 10);
+  const std::int64_t walks = repetitions(20);
   std::int64_t contacts = 0;
   std::int64_t crossings = 0;
   for (std::int64_t seed = 1; seed <= walks; ++seed) {

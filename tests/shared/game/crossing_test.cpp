@@ -130,7 +130,7 @@ TEST(CrossingTest, CrossingAndReturningEndsWithin3Subunits) {
 }
 
 TEST(CrossingTest, RepeatedCrossingsDoNotDrift) {
-  constexpr std::uint32_t kCrossings = repetitions(100000u);
+  const std::uint32_t kCrossings = repetitions(100000u);
   for (const SolidKind kind : kAllSolids) {
     const RealFace ideal(kind, 480);
     const int edge = 1;

@@ -16,7 +16,7 @@ namespace platon::crowded_game_test {
 namespace {
 
 constexpr std::uint32_t kPlayers = 4;
-constexpr int kTicks = repetitions(2000);
+const std::uint32_t kTicks = repetitions(2000u);
 constexpr std::size_t kMaxBytesPerPlayer = 100 * 1024;
 
 class CrowdedGameTest : public testing::TestWithParam<CrowdedLevel> {};
@@ -39,7 +39,7 @@ TEST_P(CrowdedGameTest, APlayerNeedsAtMostAHundredKilobytes) {
   std::vector<Input> inputs(kPlayers);
   const std::size_t before = allocatedBytes();
   std::chrono::duration<double, std::micro> time{};
-  for (int tick = 0; tick < kTicks; ++tick) {
+  for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
     for (std::uint32_t slot = 0; slot < kPlayers; ++slot) inputs[slot] = presses[slot].next();
     if (tick % 200 == 199) inputs[0].buttons |= Input::kRestart;
     const auto begun = Clock::now();

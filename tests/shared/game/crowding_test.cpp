@@ -133,7 +133,7 @@ TEST(Crowding, SegmentsRoundACornerCount) {
 // The count of every place, without tiles.
 TEST(Crowding, FindsWhatCountingEveryPlaceFinds) {
   sim::SeededRandom random(kSeed);
-  constexpr int kRuns = repetitions(40);
+  const int kRuns = repetitions(40);
   int crowded = 0;
   for (int run = 0; run < kRuns; ++run) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", run " + std::to_string(run));

@@ -19,7 +19,7 @@
 namespace platon::derived_state_test {
 namespace {
 
-constexpr int kTicks = repetitions(1500);
+const int kTicks = repetitions(1500);
 
 Angle anyAngle(sim::SeededRandom& random) { return Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))); }
 
