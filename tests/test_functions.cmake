@@ -76,7 +76,7 @@ endfunction()
 # platon_quick_to_build(target [option])
 # Compiles what belongs to tests without optimisation, or with the option, for example -O1 for what calculates much, and
 # with clang where the product is compiled by GCC without sanitizers: that takes half of the time. The libraries that are
-# tested stay as they ship.
+# tested stay as they are.
 function(platon_quick_to_build target)
   target_compile_options(${target} PRIVATE ${ARGN})
   if(NOT ARGN)
