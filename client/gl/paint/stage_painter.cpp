@@ -173,12 +173,12 @@ void StagePainter::drawCrossing(const StageModel& stage, const FaceView& view, c
 
 void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
   const SolidMesh& mesh = scene.stage->mesh;
-  constexpr auto kRadius = static_cast<float>(StageModel::kPlayerRadius);
-  const MarkerPainter::Look look{MarkerPainter::Kind::kShadow, kRadius, kRadius * 1.6F};
+  constexpr auto kBallRadius = static_cast<float>(StageModel::kPlayerRadius);
+  const MarkerPainter::Look look{MarkerPainter::Kind::kShadow, kBallRadius, kBallRadius * 1.6F};
   for (const PlayerDrawing& player : scene.players) {
     const int face = mesh.faceTowards(player.pose.position);
     const glm::dvec4 place = glm::inverse(mesh.faceToWorld(face)) * glm::dvec4(player.pose.position, 1);
-    const glm::vec2 fall = -0.4F * kRadius * glm::vec2(faceLight(mesh, face));  // away from the light
+    const glm::vec2 fall = -0.4F * kBallRadius * glm::vec2(faceLight(mesh, face));  // away from the light
     markers_.draw(*scene.stage, view, {face, glm::vec2(place) + fall, 0}, look);
   }
 }
