@@ -18,6 +18,9 @@ FLOATS = (
     "struct S { double d; }; void f(S& s, int x) { s.d = x; }",
     "int f(long double x) { return static_cast<int>(x); }",
     "bool f(double x, double y) { return x < y; }",
+    "int f(__float128 x) { return static_cast<int>(x * 3); }",
+    "#include <cstdlib>\ndouble f(const char* x) { return std::strtod(x, nullptr); }",
+    "#include <cmath>\nfloat f(float x) { return std::pow(x, x); }",
     "#include <cmath>\nint f(int x) { return static_cast<int>(std::sqrt(x)); }",
     "float f(const float* x) { float sum = 0; for (int i = 0; i < 64; ++i) sum += x[i]; return sum; }",
 )

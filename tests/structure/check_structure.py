@@ -45,7 +45,8 @@ IMPURE_WORDS = set(
     """float double unordered_map unordered_set unordered_multimap unordered_multiset chrono gettimeofday clock_gettime
     rand srand random_device mt19937 mt19937_64 minstd_rand cout cerr clog cin printf fprintf puts fputs fopen fread
     fwrite ifstream ofstream fstream ostream istream stringstream ostringstream istringstream spdlog getenv setlocale
-    thread_local stof stod atof strtof strtod
+    thread_local stof stod stold atof strtof strtod strtold __float128 _Float16 _Float32 _Float64 _Float128 _Decimal32
+    _Decimal64 _Decimal128
     long wchar_t reinterpret_cast bit_cast uintptr_t intptr_t memcpy memmove memcmp memset offsetof typeid type_index
     this_thread pthread_self priority_queue make_heap push_heap pop_heap sort_heap""".split()
 )
