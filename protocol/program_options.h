@@ -49,8 +49,8 @@ class ProgramOptions {
   /// With --help and --version. `about` is the first paragraph of the help.
   ProgramOptions(const std::string& program, const std::string& about);
 
-  /// `names` is "--name", "-n,--name", or "NAME" for an argument. T is std::string, int, std::int64_t, std::uint32_t,
-  /// std::uint64_t or double, an optional one of these, or a vector of texts.
+  /// `names` is "--name", "-n,--name", or "NAME" for an argument. T is std::string, int, std::uint64_t, double, an
+  /// optional one of these, std::int64_t, std::uint32_t or a vector of texts.
   template <typename T>
   Option add(const std::string& names, T& value, const std::string& help);
   Option addFlag(const std::string& names, bool& value, const std::string& help);

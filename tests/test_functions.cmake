@@ -3,7 +3,8 @@
 # platon_tests(LABELS label… SOURCES file_test.cpp… [LIBS target…] [TIMEOUT seconds] [RUNNER program] [ALONE])
 # Adds a target and a GoogleTest program for each file, named after it, and a test with all of the labels. Tests run in the
 # source tree, where they find levels/ and tests/determinism/golden/. RUNNER gets the command of the test as arguments.
-# Unless they are ALONE, files of a folder with the same LIBS and lanes are compiled together (platon_test_programs).
+# Unless they are ALONE, files of a folder with the same LIBS and the same lanes but `sanitized` are compiled together
+# (platon_test_programs).
 function(platon_tests)
   cmake_parse_arguments(PARSE_ARGV 0 arg "ALONE" "TIMEOUT;RUNNER" "LABELS;SOURCES;LIBS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS OR NOT arg_SOURCES)

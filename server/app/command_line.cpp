@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/program_error.h"
 #include "protocol/program_options.h"
 #include "server/app/config_file.h"
 #include "server/app/option_table.h"

@@ -65,7 +65,7 @@ def build(lane, root, folder):
     meter = Path(__file__).resolve().parent / "meter.py"
     checked(["cmake", "--preset", lane.preset, "-B", folder, "-DBUILD_TESTING=ON", f"-DCMAKE_CXX_COMPILER_LAUNCHER={meter}",
              f"-DCMAKE_CXX_LINKER_LAUNCHER={meter}"], root)  # fmt: skip
-    checked(["cmake", "--build", folder, "--target", f"{lane.label}_tests"], root, env=os.environ | {"PLATON_METER": str(log)})
+    checked(["cmake", "--build", folder, "--target", f"{lane.label}_tests"], root, env=os.environ | {"PLATON_METER": str(log), "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"})
     for line in log.read_text(encoding="utf-8").splitlines():
         seconds, output = line.split(" ", 1)
         lane.built[target_of(output)] += float(seconds)
@@ -134,7 +134,7 @@ def is_product(target):
         return False
     return target.startswith(("platon_client", "platon_server", "platon_level", "platon-")) or target in (
         "platon_headers", "platon_exact", "platon_physics", "platon_game", "platon_protocol", "platon_drawing",
-        "platon_json_text", "platon_sim")  # fmt: skip
+        "platon_json_text", "platon_program_options", "platon_sim")  # fmt: skip
 
 
 def run(root, writes):
