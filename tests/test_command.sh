@@ -60,11 +60,12 @@ refuse_contradictions() {
   [[ $lane != fuzz || $preset == release ]] || die 'test --fuzz builds with clang and sanitizers: name no preset with it' 2
 }
 
-# run_ctest PRESET OPTION…: for the tier with every change, tests repeat less (tests/support/run/repetitions.h).
+# run_ctest PRESET OPTION…: with every change, tests repeat less than before a release (tests/support/run/repetitions.h).
 run_ctest() {
   local preset=$1 jobs
   shift
-  [[ $lane != all && $lane != quick ]] || local -x PLATON_BRIEF=1
+  unset PLATON_BRIEF
+  [[ $long == ON || ($lane != all && $lane != quick) ]] || export PLATON_BRIEF=1
   jobs=$(nproc)
   # Many tests wait, so more are run. With sanitizers they calculate for so long that programs would be late.
   case $preset in

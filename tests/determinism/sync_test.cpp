@@ -72,7 +72,7 @@ TEST_P(SyncTest, ACopyContinuesAsTheOriginal) {
 // number of them.
 TEST_P(SyncTest, ARollbackReplaysTheSameGame) {
   const auto level = this->level();
-  const History history = historyOf(level, step_check::runLength(200, 3600));
+  const History history = historyOf(level, step_check::isLong() ? 3600 : 200);
   const auto step = static_cast<std::size_t>(step_check::stride(21));
   for (std::size_t k = 1; k <= kMaxRollback; k += step) {
     Game game(level);

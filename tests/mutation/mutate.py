@@ -100,7 +100,7 @@ class Trial:
             return (self._failure(executable, fault.test, overlay), True) if executable else (None, False)
 
     def _failure(self, program, test, overlay=None):
-        environment = {name: value for name, value in os.environ.items() if name != "PLATON_LONG"}
+        environment = {name: value for name, value in os.environ.items() if name not in ("PLATON_BRIEF", "PLATON_LONG")}
         if overlay:
             environment["LD_LIBRARY_PATH"] = str(overlay)
         command = [program, f"--gtest_filter={test}:*/{test}/*", "--gtest_brief=1"]

@@ -103,7 +103,7 @@ class TestSuite:
 
     def _environment(self, test, overlay, place):
         """Its temporary files have a short path, since those of sockets must be short."""
-        environment = {name: value for name, value in os.environ.items() if name != "PLATON_LONG"}
+        environment = {name: value for name, value in os.environ.items() if name not in ("PLATON_BRIEF", "PLATON_LONG")}
         home = test.environment.get("HOME")
         for name, value in test.environment.items():
             environment[name] = value.replace(home, str(place / "h"), 1) if home and value.startswith(home) else value

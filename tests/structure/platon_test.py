@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # Each call is a line of $CALLS. The call that contains $FAILING fails.
 STAND_IN = """#!/bin/sh
 name=${0##*/}
-echo "$name $*" >>"$CALLS"
+echo "$name $*${PLATON_BRIEF:+, briefly}" >>"$CALLS"
 case "$name $*" in *"${FAILING:-no call}"*) failed=1 ;; *) failed=0 ;; esac
 case $name in
   ctest) echo "$((100 - failed * 50))% tests passed, $failed tests failed out of 2" ;;
@@ -132,7 +132,7 @@ class Tests(Script):
     CTEST = r"ctest --preset release --parallel \d+"
 
     def test_plain_is_the_first_lane_of_all(self):
-        self.assert_tests([], self.CONFIGURE, self.BUILD + " --target all_tests", self.CTEST + r" -L \^all\$")
+        self.assert_tests([], self.CONFIGURE, self.BUILD + " --target all_tests", self.CTEST + r" -L \^all\$, briefly")
 
     def test_a_selection_is_of_all_tests(self):
         self.assert_tests(["-V"], self.CONFIGURE, self.BUILD, self.CTEST + " -V")
@@ -156,7 +156,7 @@ class Tests(Script):
                           self.CTEST + r" -V -R \^\(game_test\|world_test\)\$")  # fmt: skip
 
     def test_quick(self):
-        self.assert_tests(["--quick"], self.CONFIGURE, self.BUILD + " --target quick_tests", self.CTEST + r" -L \^quick\$")
+        self.assert_tests(["--quick"], self.CONFIGURE, self.BUILD + " --target quick_tests", self.CTEST + r" -L \^quick\$, briefly")
 
     def test_fuzz(self):
         for arguments, seconds in ((["--fuzz"], 60), (["--fuzz", "5"], 5), (["--fuzz", "-V"], 60)):
@@ -201,7 +201,8 @@ class Lanes(Script):
         output = self.assert_lanes("--all",
                                    ["release --target all_tests", "asan-ubsan --target outside_tests",
                                     "tsan --target threads_tests"],
-                                   ["release -L ^all$", "asan-ubsan -L ^outside$", "tsan -L ^threads$"])  # fmt: skip
+                                   [f"{run}, briefly" for run in
+                                    ("release -L ^all$", "asan-ubsan -L ^outside$", "tsan -L ^threads$")])  # fmt: skip
         lines = output.splitlines()
         for line, lane in zip(lines[-4:-1], ("release", "address-and-undefined", "threads"), strict=True):
             self.assertRegex(line, rf"^lane {lane}: 100% tests passed, 0 tests failed out of 2, in \d+ s$")

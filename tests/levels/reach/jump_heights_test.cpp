@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -62,7 +61,8 @@ TEST(JumpHeightsTest, AStoppedSearchSaysSo) {
 
 TEST(JumpHeightsTest, ARandomPlayerIsOnlyWhereItMayBe) {
   const std::vector<std::string> files = shippedLevels();
-  for (const std::string& file : std::span(files).first(repetitions(files.size()))) {
+  for (std::size_t i = 0; i < files.size(); i += isBrief() ? 5 : 1) {
+    const std::string& file = files[i];
     const auto level = levelOf(readText(file));
     const JumpHeights heights(*level, {});
     EXPECT_TRUE(heights.reachesGoal()) << file;

@@ -15,7 +15,7 @@ constexpr bool hasSanitizers() {
 }
 
 /// Whether a law is tested with a fifth of its repetitions: with sanitizers, and where the environment variable
-/// PLATON_BRIEF is set, as by `./platon test` and `./platon test --all`.
+/// PLATON_BRIEF is set, as by `./platon test`, `--quick` and `--all`.
 inline bool isBrief() { return hasSanitizers() || std::getenv("PLATON_BRIEF") != nullptr; }
 
 /// `usual`; in a brief run a fifth of it, at least 1.
