@@ -10,7 +10,6 @@ namespace {
 
 const SocketAddress kServer = addressAt("198.51.100.1", 7777);
 const SocketAddress kClient = addressAt("192.0.2.1", 4000);
-constexpr Moment kDuration = std::chrono::seconds(6);
 
 }  // namespace
 
@@ -19,8 +18,8 @@ HostileServer::HostileServer()
       clientSocket_(new BufferedSocket(network_.socket(kClient))),
       client_(std::unique_ptr<DatagramSocket>(clientSocket_), {kServer}, {}) {}
 
-void HostileServer::run(const Attack& attack) {
-  for (const Moment end = now_ + kDuration; now_ < end && !(session_ && session_->ending());) step(attack);
+void HostileServer::run(std::chrono::milliseconds time, const Attack& attack) {
+  for (const Moment end = now_ + time; now_ < end && !(session_ && session_->ending());) step(attack);
 }
 
 void HostileServer::step(const Attack& attack) {

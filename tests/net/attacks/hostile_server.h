@@ -20,8 +20,9 @@ class HostileServer {
   using Attack = std::function<void(HostileServer&)>;
 
   HostileServer();
-  /// Lets six seconds pass, or less if the client's session ends.
-  void run(const Attack& attack);
+  /// Lets this time pass, by default six seconds, or less if the client's session ends.
+  void run(std::chrono::milliseconds time, const Attack& attack);
+  void run(const Attack& attack) { run(std::chrono::seconds(6), attack); }
 
   /// Sends a message; a reliable one only while the client keeps up. Returns whether it was sent.
   bool send(bool reliable, ByteSpan message);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/net/attacks/hostile_content.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::hostile_server_test {
 namespace {
@@ -21,6 +22,9 @@ LevelChunk levelChunk() { return {kHash, kMaxLevelBytes, 0, Bytes(kChunk, '%')};
 std::string reasonOf(const HostileServer& server) {
   return server.session().ending() ? server.session().ending()->reason : "";
 }
+
+// For what goes on in the same way.
+std::chrono::milliseconds enough() { return std::chrono::milliseconds(repetitions(6000)); }
 
 void sendWelcome(HostileServer& server) { server.send(Welcome{0, 1, kHash, kMaxPlayers, kTicksPerSecond, ""}); }
 
@@ -80,7 +84,7 @@ TEST(HostileServer, DesyncsWithoutEndAreCountedAndNotKept) {
 TEST(HostileServer, RostersWithoutEndAreNamesOfSlots) {
   HostileServer server;
   std::mt19937 random(1);
-  server.run([&](HostileServer& to) {
+  server.run(enough(), [&](HostileServer& to) {
     if (to.call() == 0) sendWelcome(to);
     Roster roster;
     for (std::size_t i = 0; i < kMaxRosterEntries; ++i) {
@@ -96,7 +100,7 @@ TEST(HostileServer, RostersWithoutEndAreNamesOfSlots) {
 
 TEST(HostileServer, RoundTripsWithoutEndAreThoseOfSlots) {
   HostileServer server;
-  server.run([&](HostileServer& to) {
+  server.run(enough(), [&](HostileServer& to) {
     if (to.call() == 0) sendWelcome(to);
     for (int i = 0; i < 100; ++i) to.send(false, encode(RoundTrips{std::vector<std::uint8_t>(kMaxPlayers, 255)}));
   });
@@ -183,7 +187,7 @@ TEST(HostileServer, DatagramsThatAreNoneDisturbNothing) {
 
 TEST(HostileServer, TicksWithoutEndCostNoMemory) {
   HostileServer server;
-  server.run([](HostileServer& to) {
+  server.run(enough(), [](HostileServer& to) {
     if (to.call() == 0) return to.welcome();
     const Round* const round = to.session().round();
     if (round == nullptr) return;
