@@ -8,7 +8,7 @@ namespace platon {
 namespace {
 
 // Longest line of a ban that the server adds.
-constexpr std::size_t kMaxLineBytes = 256;
+constexpr std::size_t kMaxBanBytes = 256;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ BanStore::BanStore(const std::string& path, BanList list)
 
 std::optional<ParseError> BanStore::add(const Ban& ban, UtcTime now) {
   if (auto error = readAgain()) return error;
-  if (list_.text().size() + kMaxLineBytes > BanList::kMaxBytes) {
+  if (list_.text().size() + kMaxBanBytes > BanList::kMaxBytes) {
     return ParseError{"the ban file is full: remove bans from it"};
   }
   list_.add(ban);
