@@ -63,8 +63,13 @@ TEST(ConditionOptions, RefuseValuesOutOfRange) {
     const auto max = std::to_string(static_cast<int>(one.max));
     EXPECT_EQ(refusal({one.option, max}), "") << one.option;
     for (const std::string& value : {std::string("-0.1"), max + ".1", std::string("nan"), std::string("much")}) {
-      EXPECT_EQ(refusal({one.option, value}),
-                one.option + ": '" + value + "' is not a number from 0 to " + max + " (see bots --help)");
+      std::string expected = one.option;
+      expected.append(": '")
+          .append(value)
+          .append("' is not a number from 0 to ")
+          .append(max)
+          .append(" (see bots --help)");
+      EXPECT_EQ(refusal({one.option, value}), expected);
     }
   }
 }
