@@ -7,8 +7,9 @@ while it is compiled has none; check_structure.py refuses their names and litera
 """
 
 import re
-import subprocess
 import sys
+
+import archives
 
 _FUNCTION = re.compile(r"^[0-9a-f]+ <(.+)>:$", re.MULTILINE)
 # Of SSE and AVX, the instructions on scalars and vectors of floats that do more than to move bits; those of the x87.
@@ -33,26 +34,13 @@ def calculations(disassembly):
             yield function, found[1]
 
 
-def main(arguments):
-    if len(arguments) < 3:
-        print("usage: check_floats.py OBJDUMP ARCHIVE…", file=sys.stderr)
-        return 2
-    found = 0
-    for archive in arguments[2:]:
-        dump = subprocess.run([arguments[1], "--disassemble", "--reloc", "--no-show-raw-insn", "--demangle", archive],
-                              capture_output=True, text=True)  # fmt: skip
-        if dump.returncode != 0:
-            print(dump.stderr.strip())
-            return 1
-        if not _FUNCTION.search(dump.stdout):
-            print(f"{archive}: no code")
-            return 1
-        for function, instruction in calculations(dump.stdout):
-            print(f"{archive}: {instruction} in {function}")
-            found += 1
-    print(f"{found} calculations with floats")
-    return 1 if found else 0
+def faults(disassembly):
+    if not _FUNCTION.search(disassembly):
+        yield "no code"
+    for function, calculation in calculations(disassembly):
+        yield f"{calculation} in {function}"
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv))
+    options = ["--disassemble", "--reloc", "--no-show-raw-insn"]
+    sys.exit(archives.check(sys.argv, options, faults, "calculations with floats"))

@@ -6,8 +6,9 @@ static that is written once counts too: its guard is writable.
 """
 
 import re
-import subprocess
 import sys
+
+import archives
 
 _SYMBOL = re.compile(r"^[0-9a-f]+ (?P<flags>.{7}) (?P<section>\S+)\t[0-9a-f]+\s+(?:\.hidden )?(?P<name>.+)$")
 # The loader writes tables of constants that hold addresses (.data.rel.ro) before the program starts; nothing else does.
@@ -24,22 +25,9 @@ def writable_objects(symbol_table):
             yield match["section"], match["name"]
 
 
-def main(arguments):
-    if len(arguments) < 3:
-        print("usage: check_globals.py OBJDUMP ARCHIVE…", file=sys.stderr)
-        return 2
-    found = 0
-    for archive in arguments[2:]:
-        dump = subprocess.run([arguments[1], "--syms", "--demangle", archive], capture_output=True, text=True)
-        if dump.returncode != 0:
-            print(dump.stderr.strip())
-            return 1
-        for section, name in writable_objects(dump.stdout):
-            print(f"{archive}: variable {name} in {section}")
-            found += 1
-    print(f"{found} variables")
-    return 1 if found else 0
+def faults(symbol_table):
+    return (f"variable {name} in {section}" for section, name in writable_objects(symbol_table))
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv))
+    sys.exit(archives.check(sys.argv, ["--syms"], faults, "variables"))
