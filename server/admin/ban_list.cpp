@@ -20,15 +20,7 @@ std::string lineOf(const Ban& ban) {
 std::string_view commentOf(std::string_view line) { return line.substr(std::min(line.find('#'), line.size())); }
 
 // A ban read from a line, or what is wrong with it and in which column.
-struct BanReader {
-  WordReader words;
-  int column = 1;  // of the word that was read last
-
-  std::string_view next() {
-    column = words.column();
-    return words.next();
-  }
-
+struct BanReader : LineReader {
   std::variant<Ban, ParseError> read() {
     auto range = AddressRange::parse(next());
     if (auto* error = std::get_if<ParseError>(&range)) return std::move(*error);
@@ -40,8 +32,7 @@ struct BanReader {
         return ParseError{"after 'until' must stand a time in UTC, such as 2026-12-01 or 2026-12-01T18:00:00Z"};
       }
     }
-    column = words.column();
-    auto reason = parseBanReason(words.rest());
+    auto reason = parseBanReason(rest());
     if (auto* error = std::get_if<ParseError>(&reason)) return std::move(*error);
     ban.reason = std::get<std::string>(std::move(reason));
     return ban;
@@ -86,7 +77,7 @@ void BanList::readLine(std::string_view text, std::vector<Diagnostic>& errors) {
   lines_.push_back({std::string(text), std::nullopt});
   std::string_view content = text.substr(0, text.size() - commentOf(text).size());
   if (content.ends_with('\r')) content.remove_suffix(1);
-  BanReader line{WordReader(content)};
+  BanReader line{{WordReader(content)}};
   if (line.words.peek().empty()) return;
   auto ban = line.read();
   const auto fail = [&](int column, std::string what) {

@@ -25,4 +25,19 @@ class WordReader {
   std::size_t position_ = 0;
 };
 
+/// A WordReader that remembers where the last thing it has read begins, for an error there.
+struct LineReader {
+  WordReader words;
+  int column = 1;  ///< of what was read last
+
+  std::string_view next() {
+    column = words.column();
+    return words.next();
+  }
+  std::string_view rest() {
+    column = words.column();
+    return words.rest();
+  }
+};
+
 }  // namespace platon

@@ -33,15 +33,7 @@ std::optional<UtcTime> dateOf(std::string_view text) {
 using Entry = std::pair<PlayedLevel, DatedTime>;
 
 // The best time of a line, or what is wrong with it and in which column.
-struct TimeReader {
-  WordReader words;
-  int column = 1;  // of the word that was read last
-
-  std::string_view next() {
-    column = words.column();
-    return words.next();
-  }
-
+struct TimeReader : LineReader {
   std::variant<Entry, ParseError> read() {
     const auto hash = hashIn(next());
     if (!hash) return ParseError{"a line begins with the hash of a level, 16 digits 0 to 9 and a to f"};
@@ -54,8 +46,7 @@ struct TimeReader {
     }
     const auto date = dateOf(next());
     if (!date) return ParseError{"after the ticks must stand the date in UTC, such as 2026-12-01T18:00:00Z"};
-    column = words.column();
-    const std::string name(words.rest());
+    const std::string name(rest());
     const bool shown = !name.empty() && isLabel(name, kMaxNameBytes) && visibleLabel(name) == name;
     if (!shown) return ParseError{"at the end must stand the name of the player, 1 to 32 visible bytes"};
     return Entry{{*hash, *rules}, {{*ticks, name}, *date}};
@@ -73,7 +64,7 @@ std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_vi
   std::vector<Diagnostic> errors;
   for (int number = 1; !text.empty() && errors.size() < kMaxErrors; ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    TimeReader line{WordReader(text.substr(0, end))};
+    TimeReader line{{WordReader(text.substr(0, end))}};
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.words.peek().empty() || line.words.peek().starts_with('#')) continue;
     auto read = line.read();

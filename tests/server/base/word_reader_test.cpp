@@ -43,5 +43,16 @@ TEST(WordReader, AnEmptyLineHasNoWords) {
   }
 }
 
+TEST(LineReader, RemembersWhereTheLastThingBegins) {
+  LineReader line{WordReader("  a bc  d e ")};
+  EXPECT_EQ(line.column, 1);
+  EXPECT_EQ(line.next(), "a");
+  EXPECT_EQ(line.column, 3);
+  EXPECT_EQ(line.next(), "bc");
+  EXPECT_EQ(line.column, 5);
+  EXPECT_EQ(line.rest(), "d e");
+  EXPECT_EQ(line.column, 9);
+}
+
 }  // namespace
 }  // namespace platon::word_reader_test
