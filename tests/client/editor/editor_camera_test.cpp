@@ -62,5 +62,16 @@ TEST(EditorCameraTest, TheDistanceIsBounded) {
   EXPECT_LT(glm::length(view.camera(mesh, 10, 10).eye()), 12 * mesh.circumradius());
 }
 
+TEST(EditorCameraTest, AWayAsideTurnsTheSolidWithoutTiltingIt) {
+  const SolidMesh mesh(SolidKind::kHexahedron, 480);
+  EditorCamera view;
+  view.centre(mesh.pose(0, {0, 0}, 0));
+  const Camera before = view.camera(mesh, 1280, 720);
+  view.turn(0.4, 0);
+  const Camera after = view.camera(mesh, 1280, 720);
+  EXPECT_LT(glm::distance(after.up(), before.up()), 1e-9);
+  EXPECT_NEAR(glm::dot(after.back(), before.back()), std::cos(0.4), 1e-9);
+}
+
 }  // namespace
 }  // namespace platon::editor_camera_test

@@ -341,5 +341,17 @@ TEST(NetworkConditions, TheSameSeedGivesTheSameDeliveries) {
   EXPECT_NE(keysOf(transmit(quality, 6)), keysOf(transmit(quality, 7)));
 }
 
+TEST(NetworkConditions, AnotherQualityAppliesToWhatIsSentAfterwards) {
+  NetworkConditions link({}, 1);
+  link.send(numbered(1), milliseconds(0));
+  LinkQuality slow;
+  slow.delayMs = 50;
+  link.setQuality(slow);
+  link.send(numbered(2), milliseconds(0));
+  EXPECT_EQ(link.receive(milliseconds(0)), numbered(1));
+  EXPECT_EQ(link.receive(milliseconds(49)), std::nullopt);
+  EXPECT_EQ(link.receive(milliseconds(50)), numbered(2));
+}
+
 }  // namespace
 }  // namespace platon::network_conditions_test

@@ -110,5 +110,11 @@ TEST(Settings, AListOfServersIsAUrlOfTheWebOrNone) {
   }
 }
 
+TEST(Settings, WhoHasSetNothingHearsEverything) {
+  const std::string text = Settings().text();
+  for (const char* const line : {"volume 80\n", "volume-effects 100\n", "volume-music 70\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
 }  // namespace
 }  // namespace platon::settings_test
