@@ -68,7 +68,18 @@ FlightEnvelope::FlightEnvelope() {
   pushGain_ = measuredPushGain(static_cast<int>(below_.size()));
   runSpeed_ = motion::kRunSpeed / kSubunits;
   slideSpeed_ = motion::kSlideSpeed / kSubunits;
+  airFriction_ = std::min(motion::kAirGrip.friction, motion::kAirGrip.acceleration) / kSubunits;
   lateTicks_ = motion::kCoyoteTicks;
+}
+
+double FlightEnvelope::speedAfter(int ticks, double speed) const {
+  return std::max(std::min(speed, runSpeed_), speed - ticks * airFriction_);
+}
+
+double FlightEnvelope::wayAside(int ticks, double speed) const {
+  const int slowing = speed <= runSpeed_ ? 0 : std::min(ticks, static_cast<int>((speed - runSpeed_) / airFriction_));
+  const double way = slowing * speed - airFriction_ * slowing * (slowing - 1) / 2;
+  return way + (ticks - slowing) * speedAfter(slowing, speed);
 }
 
 int FlightEnvelope::riseTicks(double height) const {

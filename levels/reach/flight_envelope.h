@@ -23,6 +23,10 @@ class FlightEnvelope {
   /// Ticks after leaving the ground in which a jump is still possible.
   int lateTicks() const { return lateTicks_; }
 
+  /// Horizontal speed at most after so many ticks in the air, and the way aside until then. Who has slid down a steep
+  /// segment is faster than a run, until the air slows it.
+  double speedAfter(int ticks, double speed) const;
+  double wayAside(int ticks, double speed) const;
   /// Ticks of the slowest rise by the last `height` units below the highest point.
   int riseTicks(double height) const;
   /// Ticks of the slowest fall by `depth` units from rest.
@@ -36,6 +40,7 @@ class FlightEnvelope {
   double pushGain_ = 0;
   double runSpeed_ = 0;
   double slideSpeed_ = 0;
+  double airFriction_ = 0;  // of the horizontal speed, a tick
   int lateTicks_ = 0;
   std::vector<double> below_;   // depth below the highest point, by ticks before it
   std::vector<double> fallen_;  // depth below the highest point, by ticks after it

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kMaxCells = 1.2e6;  // on all faces with all ups
 constexpr double kSmallestCell = 2;  // level units
-constexpr int kNever = 1 << 20;
 
 double reachCellSize(const UprightFaces& faces) {
   double area = 0;
@@ -27,15 +26,42 @@ double reachCellSize(const UprightFaces& faces) {
 }  // namespace
 
 Reach::Reach(const Level& level, int maxCrossings)
-    : faces_(level), maxCrossings_(maxCrossings), opened_(kMaxDoorNumbers, level.players > 1 ? 0 : kNever) {
+    : faces_(level), maxCrossings_(maxCrossings), start_(uprightOf(level.start, level.startAngle)) {
   const double cellSize = reachCellSize(faces_);
-  for (std::uint32_t node = 0; node < faces_.all().size(); ++node)
+  for (std::uint32_t node = 0; node < faces_.all().size(); ++node) {
     grids_.push_back(std::make_unique<ReachGrid>(level, faces_, node, cellSize));
+    reached_.emplace_back(grids_.back()->size(), kUnreached);
+  }
   for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
-  do {
-    opensMore_ = false;
-    search(level);
-  } while (opensMore_);
+  setDoors(level);
+  begin(open_);
+  addFall(0, 0, start_);
+  launchPending();
+  // Fewer doors are smaller numbers, so that all flights that open these doors are known.
+  while (!resumed_.empty()) {
+    const auto next = resumed_.extract(resumed_.begin());
+    begin(next.key());
+    resume(next.mapped());
+    launchPending();
+  }
+}
+
+void Reach::setDoors(const Level& level) {
+  std::uint32_t doors = 0;
+  std::uint32_t openers = 0;
+  for (const Element& element : level.elements) {
+    if (element.kind == ElementKind::kDoor) doors |= element.bit();
+    if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) openers |= element.bit();
+  }
+  if (level.players > 1) {
+    open_ = doors;
+    return;
+  }
+  open_ = doors & openers;
+  for (int numbers = 0; open_ != 0 && numbers < kMostNumbers; ++numbers) {
+    openable_ |= open_ & -open_;
+    open_ &= open_ - 1;
+  }
 }
 
 std::optional<int> Reach::crossingsTo(std::uint32_t face, Point position, Angle up) const {
@@ -46,22 +72,29 @@ std::optional<int> Reach::crossingsTo(std::uint32_t face, Point position, Angle 
   return reached_[node][cell];
 }
 
-void Reach::search(const Level& level) {
-  clear();
-  addFall(0, 0, uprightOf(level.start, level.startAngle));
-  while (!pending_.empty() && (!toGoal_ || pending_.begin()->first < *toGoal_)) launchPending();
+void Reach::begin(std::uint32_t open) {
+  respawned_[phase_.open] = std::move(phase_.respawned);
+  phase_ = {};
+  phase_.open = open;
+  for (const auto& grid : grids_) {
+    phase_.known.emplace_back(2 * grid->size());
+    phase_.launched.emplace_back(2 * grid->size(), kUnreached);
+  }
 }
 
-void Reach::clear() {
-  toGoal_.reset();
-  pending_.clear();
-  reached_.clear();
-  launched_.clear();
-  known_.clear();
-  for (const auto& grid : grids_) {
-    reached_.emplace_back(grid->size(), kUnreached);
-    known_.emplace_back(2 * grid->size());
-    launched_.emplace_back(2 * grid->size(), kUnreached);
+// Flights go on with more doors open. Who flies may then come to a hazard, which leads back to the start or to a
+// checkpoint that was touched before.
+void Reach::resume(const std::vector<Resumed>& resumed) {
+  int first = maxCrossings_;
+  for (const auto& [launch, visits] : resumed) {
+    if (isTooFar(visits.front().crossings)) continue;
+    first = std::min(first, visits.front().crossings);
+    fly(ReachFlight(world(), launch, visits), launch);
+  }
+  if (hasHazard_) addFall(first, 0, start_);
+  for (const auto& [open, respawned] : respawned_) {
+    if ((open & ~phase_.open) != 0) continue;
+    for (const auto& [where, crossings] : respawned) respawn(std::max(crossings, first), *where.first, where.second);
   }
 }
 
@@ -69,21 +102,24 @@ void Reach::clear() {
 void Reach::addFall(int crossings, std::uint32_t node, Vec place) {
   const std::size_t cell = grids_[node]->cellAt(place);
   for (const bool inOneway : {false, true}) {
-    fly(crossings, {node,
-                    false,
-                    inOneway,
-                    FlightEnvelope::measured().runSpeed(),
-                    grids_[node]->rectOf(cell).high.y,
-                    {static_cast<std::uint32_t>(cell)}});
+    const ReachLaunch launch{node,
+                             false,
+                             inOneway,
+                             FlightEnvelope::measured().runSpeed(),
+                             grids_[node]->rectOf(cell).high.y,
+                             {static_cast<std::uint32_t>(cell)}};
+    fly(ReachFlight(world(), launch, crossings), launch);
   }
 }
 
 void Reach::launchPending() {
-  auto first = pending_.extract(pending_.begin());
-  for (auto& [node, starts] : first.mapped()) {
-    // A flight with fewer crossings may have come here since.
-    std::erase_if(starts, [&, n = node](std::uint32_t start) { return launched_[n][start] != first.key(); });
-    if (!starts.empty()) launchRuns(first.key(), node, starts);
+  while (!phase_.pending.empty() && !isTooFar(phase_.pending.begin()->first)) {
+    auto first = phase_.pending.extract(phase_.pending.begin());
+    for (auto& [node, starts] : first.mapped()) {
+      // A flight with fewer crossings may have come here since.
+      std::erase_if(starts, [&, n = node](std::uint32_t start) { return phase_.launched[n][start] != first.key(); });
+      if (!starts.empty()) launchRuns(first.key(), node, starts);
+    }
   }
 }
 
@@ -125,12 +161,18 @@ void Reach::launch(int crossings, std::uint32_t node, const Starts& run) {
     for (const std::uint32_t cell : launch.cells) highest = std::max(highest, grid[cell].highest);
     launch.apex = highest + envelope.jumpHeight() + envelope.pushGain() + (kind.sloped ? envelope.slopeGain() : 0);
   }
-  fly(crossings, launch);
+  fly(ReachFlight(world(), launch, crossings), launch);
 }
 
-void Reach::fly(int crossings, const ReachLaunch& launch) {
-  const ReachFlight::World world{faces_, grids_, opened_, known_, maxCrossings_};
-  ReachFlight(world, launch, crossings).run([this](const ReachVisit& visit) { this->visit(visit); });
+// Where the flight opens doors, it goes on with these open, too.
+void Reach::fly(ReachFlight flight, const ReachLaunch& launch) {
+  std::map<std::pair<std::uint32_t, int>, std::vector<ReachVisit>> opened;  // by doors and crossings
+  flight.run([&](const ReachVisit& visit) {
+    this->visit(visit);
+    for (std::uint32_t doors = openedBy(visit); doors != 0; doors &= doors - 1)
+      opened[{doors & -doors, visit.crossings}].push_back(visit);
+  });
+  for (auto& [how, visits] : opened) resumed_[phase_.open | how.first].push_back({launch, std::move(visits)});
 }
 
 void Reach::visit(const ReachVisit& visit) {
@@ -138,29 +180,35 @@ void Reach::visit(const ReachVisit& visit) {
   reached = std::min(reached, static_cast<std::uint8_t>(visit.crossings));
   const ReachGrid::Cell& cell = (*grids_[visit.node])[visit.cell];
   if (cell.atGoal) toGoal_ = std::min(toGoal_.value_or(visit.crossings), visit.crossings);
-  for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) touch(visit, wall);
+  for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) {
+    if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint)
+      respawn(visit.crossings, *wall.element, wall.node);
+  }
   if (!cell.grounded && (!cell.slowed || (visit.isBelow && !cell.steep))) return;
   const std::uint32_t start = visit.cell * 2 + (visit.inOneway ? 1 : 0);
-  std::uint8_t& launched = launched_[visit.node][start];
+  std::uint8_t& launched = phase_.launched[visit.node][start];
   if (launched <= visit.crossings) return;
   launched = static_cast<std::uint8_t>(visit.crossings);
-  pending_[visit.crossings][visit.node].push_back(start);
+  phase_.pending[visit.crossings][visit.node].push_back(start);
 }
 
-void Reach::touch(const ReachVisit& visit, const ReachWall& wall) {
-  const Element& element = *wall.element;
-  if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) {
-    int& opened = opened_[element.number];
-    opensMore_ = opensMore_ || visit.crossings < opened;
-    opened = std::min(opened, visit.crossings);
+// A hazard brings the player back to its last checkpoint. It falls from rest there: an earlier visit to the place may
+// have been faster and so have led less far.
+void Reach::respawn(int crossings, const Element& checkpoint, std::uint32_t node) {
+  const auto [known, isNew] = phase_.respawned.try_emplace({&checkpoint, node}, crossings);
+  if (!isNew && known->second <= crossings) return;
+  known->second = crossings;
+  addFall(crossings, node, uprightOf(placeOf(checkpoint), faces_.all()[node].up));
+}
+
+// The doors that a player in this cell may open.
+std::uint32_t Reach::openedBy(const ReachVisit& visit) const {
+  std::uint32_t opened = 0;
+  for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) {
+    if (wall.element->kind == ElementKind::kKey || wall.element->kind == ElementKind::kPlate)
+      opened |= wall.element->bit();
   }
-  if (element.kind != ElementKind::kCheckpoint || !hasHazard_) return;
-  const UprightFace& face = faces_.all()[wall.node];
-  const Vec place = uprightOf(placeOf(element), face.up);
-  const std::size_t cell = grids_[wall.node]->cellAt(place);
-  if (reached_[wall.node][cell] <= visit.crossings) return;
-  reached_[wall.node][cell] = static_cast<std::uint8_t>(visit.crossings);
-  addFall(visit.crossings, wall.node, place);
+  return opened & openable_ & ~phase_.open;
 }
 
 }  // namespace platon

@@ -14,17 +14,19 @@ namespace platon {
 
 /// Where a player can get, at most, and with how few crossings of edges. Over-approximates the game: a place that is
 /// not reached here with n crossings is not reached in the game with n crossings, whatever is pressed. So it proves
-/// that a level needs its crossings. A door counts as open once one of its keys or plates can be touched; on levels for
-/// several players all doors are open.
+/// that a level needs its crossings. A door is open from where one of its keys or plates was touched, and for ever; on
+/// levels for several players, and of more than kMostNumbers numbers those beyond, from the start.
 ///
 /// What is assumed of a flight, by the rules of Player: it rises at most by the height of a jump above the ground from
 /// which it started, and by what a slope gives; it moves sideways at most at the run speed, or the slide speed after a
 /// steep segment; its time is bounded by the slowest rise and fall; no contact gives an upward speed, unless the player
-/// can stand there.
+/// can stand there. reach_law_test searches the game itself for places that this denies.
 class Reach {
  public:
   /// Searches for ways with at most `maxCrossings` crossings, below 255.
   Reach(const Level& level, int maxCrossings);
+  /// As many numbers of doors are told apart: the time doubles with each.
+  static constexpr int kMostNumbers = 4;
 
   /// The fewest crossings with which the goal may be reached; nothing when more than the maximum are needed.
   std::optional<int> crossingsToGoal() const { return toGoal_; }
@@ -37,27 +39,48 @@ class Reach {
   // Cells from which flights start, in rising order: twice the cell, plus 1 in a one-way segment.
   using Starts = std::vector<std::uint32_t>;
 
-  void search(const Level& level);
-  void clear();
-  void addFall(int crossings, std::uint32_t node, Vec place);
+  // Fewest crossings of a fall from a checkpoint, by the checkpoint and the node of its face.
+  using Respawned = std::map<std::pair<const Element*, std::uint32_t>, int>;
+
+  // A flight that has opened a door: it goes on from where it touched the key, in these cells.
+  struct Resumed {
+    ReachLaunch launch;
+    std::vector<ReachVisit> visits;
+  };
+  // What was visited with one set of doors open. A later visit with more of them open is another one.
+  struct Phase {
+    std::uint32_t open = 0;
+    std::vector<std::vector<ReachKnown>> known;
+    std::vector<std::vector<std::uint8_t>> launched;  // fewest crossings of a start, by node and start
+    std::map<int, std::map<std::uint32_t, Starts>> pending;
+    Respawned respawned;
+  };
+
+  void setDoors(const Level& level);
+  void begin(std::uint32_t open);
+  void resume(const std::vector<Resumed>& resumed);
   void launchPending();
+  bool isTooFar(int crossings) const { return toGoal_ && crossings >= *toGoal_; }
+  void addFall(int crossings, std::uint32_t node, Vec place);
   void launchRuns(int crossings, std::uint32_t node, Starts starts);
   void launch(int crossings, std::uint32_t node, const Starts& run);
-  void fly(int crossings, const ReachLaunch& launch);
+  void fly(ReachFlight flight, const ReachLaunch& launch);
   void visit(const ReachVisit& visit);
-  void touch(const ReachVisit& visit, const ReachWall& wall);
+  void respawn(int crossings, const Element& checkpoint, std::uint32_t node);
+  std::uint32_t openedBy(const ReachVisit& visit) const;
+  ReachFlight::World world() { return {faces_, grids_, phase_.open, phase_.known, maxCrossings_}; }
 
   UprightFaces faces_;
   std::vector<std::unique_ptr<ReachGrid>> grids_;  // by node
   int maxCrossings_;
+  Vec start_;  // in the frame of node 0
   bool hasHazard_ = false;
-  std::vector<int> opened_;
-  bool opensMore_ = false;
-  std::vector<std::vector<ReachKnown>> known_;
-  std::vector<std::vector<std::uint8_t>> reached_;  // fewest crossings, by node and cell
-  // Fewest crossings of a start, by node and start.
-  std::vector<std::vector<std::uint8_t>> launched_;
-  std::map<int, std::map<std::uint32_t, Starts>> pending_;
+  std::uint32_t open_ = 0;      // doors that are open from the start
+  std::uint32_t openable_ = 0;  // doors that keys and plates open
+  Phase phase_;
+  std::map<std::uint32_t, std::vector<Resumed>> resumed_;  // by the doors that are open
+  std::map<std::uint32_t, Respawned> respawned_;           // of the phases before, by the doors that are open
+  std::vector<std::vector<std::uint8_t>> reached_;         // fewest crossings, by node and cell
   std::optional<int> toGoal_;
 };
 

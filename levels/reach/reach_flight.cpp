@@ -65,15 +65,28 @@ bool mayBeFree(const Line& oneway, const Rect& cell) {
 }  // namespace
 
 ReachFlight::ReachFlight(const World& world, const ReachLaunch& launch, int crossings)
-    : world_(world), apex_(launch.apex), speed_(launch.speed), crossings_(crossings) {
-  const ReachGrid& grid = *world.grids[launch.node];
+    : world_(world), crossings_(crossings) {
+  prepare(launch);
+  const std::uint32_t sheet = sheetOf(launch.node, {});
+  for (const std::uint32_t cell : launch.cells) enter(crossings, {sheet, cell, launch.rising, launch.inOneway});
+}
+
+ReachFlight::ReachFlight(const World& world, const ReachLaunch& launch, std::span<const ReachVisit> visited)
+    : world_(world), crossings_(visited.front().crossings) {
+  prepare(launch);
+  for (const ReachVisit& visit : visited)
+    enter(visit.crossings, {sheetOf(visit.node, visit.shift), visit.cell, visit.rising, visit.inOneway});
+}
+
+void ReachFlight::prepare(const ReachLaunch& launch) {
+  const ReachGrid& grid = *world_.grids[launch.node];
   const Rect first = grid.rectOf(launch.cells.front());
   left_ = first.low.x;
   right_ = grid.rectOf(launch.cells.back()).high.x;
+  apex_ = launch.apex;
+  speed_ = launch.speed;
   launchTicks_ = kTicks;
   if (launch.rising) launchTicks_ += envelope_.riseTicks(apex_ - first.low.y) + envelope_.lateTicks();
-  const std::uint32_t sheet = sheetOf(launch.node, {});
-  for (const std::uint32_t cell : launch.cells) enter(crossings, {sheet, cell, launch.rising, launch.inOneway});
 }
 
 void ReachFlight::spread(const State& state) {
@@ -141,14 +154,9 @@ void ReachFlight::enter(int crossings, const State& state) {
   (crossings == crossings_ && isRunning_ ? open_ : waiting_).push_back(state);
 }
 
-// A crossing may have opened a door.
 bool ReachFlight::isFree(const State& state) const {
   const ReachGrid::Cell& cell = gridOf(state)[state.cell];
-  if (!cell.inside || cell.blocked) return false;
-  for (std::uint32_t doors = cell.doors, number = 0; doors != 0; doors >>= 1, ++number) {
-    if ((doors & 1) != 0 && world_.opened[number] > crossings_) return false;
-  }
-  return true;
+  return cell.inside && !cell.blocked && (cell.doors & ~world_.open) == 0;
 }
 
 // How far beside the launch the cell is.
@@ -159,7 +167,9 @@ double ReachFlight::asideOf(const State& state) const {
 }
 
 // A fall from rest takes at least as long as the rest of this one, but for the ticks until this one began.
-bool ReachFlight::isBelow(const State& state) const { return !state.rising && asideOf(state) <= speed_ * launchTicks_; }
+bool ReachFlight::isBelow(const State& state) const {
+  return !state.rising && asideOf(state) <= envelope_.wayAside(launchTicks_, speed_);
+}
 
 // Whether the flight can be in the cell in time, and no flight is known that can do as much from there.
 bool ReachFlight::isInTime(int crossings, const State& state) {
@@ -167,16 +177,18 @@ bool ReachFlight::isInTime(int crossings, const State& state) {
   const double y = gridOf(state).rectOf(state.cell).low.y - sheet.shift.y;
   if (y > apex_) return false;
   const int ticks = launchTicks_ + (state.rising ? 0 : envelope_.fallTicks((apex_ - y) / kSlowestFall));
-  const double sideways = speed_ * ticks + kSideways;
+  const double sideways = envelope_.wayAside(ticks, speed_) + kSideways;
   if (asideOf(state) > sideways) return false;
   if (state.inOneway) return true;
   ReachKnown& known = world_.known[sheet.node][2 * state.cell + (state.rising ? 1U : 0U)];
   const auto left = static_cast<float>(left_ - sideways + sheet.shift.x);
   const auto right = static_cast<float>(right_ + sideways + sheet.shift.x);
   const auto apex = static_cast<float>(apex_ + sheet.shift.y);
+  const auto speed = static_cast<float>(envelope_.speedAfter(ticks, speed_));
   const bool goesAsFar = state.rising ? known.apex >= apex : known.apex <= apex;
-  if (known.crossings <= crossings && known.left <= left && known.right >= right && goesAsFar) return false;
-  known = {left, right, apex, static_cast<std::uint8_t>(crossings)};
+  if (known.crossings <= crossings && known.left <= left && known.right >= right && known.speed >= speed && goesAsFar)
+    return false;
+  known = {left, right, apex, speed, static_cast<std::uint8_t>(crossings)};
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "levels/reach/flight_envelope.h"
@@ -15,7 +16,7 @@ struct ReachLaunch {
   std::uint32_t node = 0;
   bool rising = false;    ///< a jump; else a fall from rest
   bool inOneway = false;  ///< the player may overlap a one-way segment
-  double speed = 0;       ///< largest horizontal speed
+  double speed = 0;       ///< largest horizontal speed at the start
   double apex = 0;        ///< highest y, in the frame of the node
   std::vector<std::uint32_t> cells;
 };
@@ -25,6 +26,8 @@ struct ReachVisit {
   std::uint32_t node = 0;
   std::uint32_t cell = 0;
   int crossings = 0;  ///< of the whole way
+  Vec shift;          ///< added to a point in the frame of the launch, gives the point in that of the node
+  bool rising = false;
   bool inOneway = false;
   bool isBelow = false;  ///< so nearly below the launch that a fall from here reaches nothing more
 };
@@ -34,22 +37,25 @@ struct ReachKnown {
   float left = 1e30F;    ///< smallest x that it may reach at this height, in the frame of the node
   float right = -1e30F;  ///< largest
   float apex = 0;
+  float speed = 0;  ///< horizontal speed that it may have
   std::uint8_t crossings = 255;
 };
 
 /// Visits all cells that a flight may reach from one launch, those with the fewest crossings first.
 class ReachFlight {
  public:
-  /// What the flight may use. `opened` has the fewest crossings with which a door may be open, by its number.
+  /// What the flight may use.
   struct World {
     const UprightFaces& faces;
     const std::vector<std::unique_ptr<ReachGrid>>& grids;
-    const std::vector<int>& opened;
+    std::uint32_t open;                           ///< bits of the open doors
     std::vector<std::vector<ReachKnown>>& known;  ///< by node and cell: of a fall, of a rise
     int maxCrossings = 0;
   };
 
   ReachFlight(const World& world, const ReachLaunch& launch, int crossings);
+  /// The rest of a flight with this launch, from cells that it has visited, all with as many crossings.
+  ReachFlight(const World& world, const ReachLaunch& launch, std::span<const ReachVisit> visited);
 
   /// Calls visitor(ReachVisit) for every cell, at least once.
   template <class Visitor>
@@ -61,7 +67,9 @@ class ReachFlight {
       while (!open_.empty()) {
         const State state = open_.back();
         open_.pop_back();
-        visitor(ReachVisit{sheets_[state.sheet].node, state.cell, crossings_, state.inOneway, isBelow(state)});
+        const Sheet& sheet = sheets_[state.sheet];
+        visitor(
+            ReachVisit{sheet.node, state.cell, crossings_, sheet.shift, state.rising, state.inOneway, isBelow(state)});
         spread(state);
       }
     }
@@ -81,6 +89,7 @@ class ReachFlight {
     std::vector<std::uint8_t> seen;
   };
 
+  void prepare(const ReachLaunch& launch);
   void spread(const State& state);
   void step(const State& from, std::size_t cell);
   void cross(const State& from);
@@ -92,13 +101,13 @@ class ReachFlight {
   std::uint32_t sheetOf(std::uint32_t node, Vec shift);
   const ReachGrid& gridOf(const State& state) const { return *world_.grids[sheets_[state.sheet].node]; }
 
-  const World& world_;
+  World world_;
   const FlightEnvelope& envelope_ = FlightEnvelope::measured();
   double left_ = 0;  // of the launch
   double right_ = 0;
-  double apex_;
-  double speed_;
-  int launchTicks_;  // until a fall begins
+  double apex_ = 0;
+  double speed_ = 0;
+  int launchTicks_ = 0;  // until a fall begins
   int crossings_;
   std::vector<Sheet> sheets_;
   bool isRunning_ = false;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 #include <optional>
 
 #include "platon/game/player.h"
+#include "platon/game/player_motion.h"
 
 namespace platon {
 namespace {
@@ -20,8 +23,15 @@ constexpr double kSlowBelow = 2.2;
 constexpr double kSteepSlope = 1.19;  // tangent of a little less than 50°
 constexpr double kFlatSlope = 0.005;
 constexpr double kVerticalSlope = 100;
-// Between two segments at most this far apart a player may stand.
-constexpr double kWedge = 2 * kRadius + 0.2;
+// A player moves at most this far in a tick: aside by the slide speed, down by a fast fall. A contact on the way turns
+// a displacement (x, y) along a segment, whose part aside is at most (|x| + |(x, y)|) / 2.
+constexpr double kSlide = double{1} * motion::kSlideSpeed / kSubunitsPerUnit;
+constexpr double kFall = double{1} * motion::kFastFallSpeed / kSubunitsPerUnit;
+const Vec kTickReach{(kSlide + std::hypot(kSlide, kFall)) / 2 + kMargin, std::hypot(kSlide, kFall) + kMargin};
+// Below this |x|, the unit normal of a segment is vertical: Player sees it rounded to 1 / PlayerState::kUnit.
+constexpr double kLevel = 0.4 / PlayerState::kUnit;
+// A contact with a larger y is ground.
+constexpr double kSteepestGround = (double{1} * motion::kMinGroundNormalY + 1) / PlayerState::kUnit;
 
 double slopeOf(const Line& line) {
   const Vec along = line.b - line.a;
@@ -39,6 +49,121 @@ std::optional<Line> lowerPart(Line line, double y) {
   return line;
 }
 
+// A contact that is too steep to be ground and pushes the player aside: where its centre may be, and the unit normal.
+struct Push {
+  Vec normal;
+  Rect centres;
+};
+
+bool isSteep(Vec normal) { return std::abs(normal.x) > kLevel && normal.y < kSteepestGround; }
+
+Rect common(const Rect& a, const Rect& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
+bool isEmpty(const Rect& rect) { return rect.low.x > rect.high.x || rect.low.y > rect.high.y; }
+
+void addPush(Vec normal, const Line& centres, const Rect& rect, std::vector<Push>& pushes) {
+  const Vec margin{kMargin, kMargin};
+  const Rect box{Vec{std::min(centres.a.x, centres.b.x), std::min(centres.a.y, centres.b.y)} - margin,
+                 Vec{std::max(centres.a.x, centres.b.x), std::max(centres.a.y, centres.b.y)} + margin};
+  const Push push{normal, common(box, rect)};
+  if (isSteep(normal) && !isEmpty(push.centres) && distance(rect, centres) <= 2 * kMargin) pushes.push_back(push);
+}
+
+// Visits the sides of the player's shape, a regular 16-gon, as an end sees them that they touch: visit(unit normal,
+// half of the side).
+template <class Visitor>
+void forEachSide(Visitor&& visit) {
+  constexpr int sides = 16;
+  for (int side = 0; side < sides; ++side) {
+    const double angle = side * 2 * std::numbers::pi / sides;
+    const Vec normal{std::cos(angle), std::sin(angle)};
+    visit(normal, Vec{-normal.y, normal.x} * (kRadius * std::sin(std::numbers::pi / sides)));
+  }
+}
+
+// How a segment may push a player whose centre is in the rectangle: an end touches a side of its shape, and the
+// segment a vertex of the shape or a side.
+std::vector<Push> pushesOf(const Line& line, const Rect& rect) {
+  std::vector<Push> pushes;
+  if (distance(rect, line) > kTouch) return pushes;
+  forEachSide([&](Vec normal, Vec halfSide) {
+    for (const Vec end : {line.a, line.b}) {
+      const Vec middle = end + normal * kApothemInUnits;
+      addPush(normal, {middle - halfSide, middle + halfSide}, rect, pushes);
+    }
+  });
+  if (isPoint(line)) return pushes;
+  const Vec along = line.b - line.a;
+  for (const double side : {1.0, -1.0}) {
+    const Vec normal = Vec{-along.y, along.x} * (side / length(along));
+    for (double away = kApothemInUnits; away < kTouch; away += kMargin)
+      addPush(normal, {line.a + normal * away, line.b + normal * away}, rect, pushes);
+  }
+  return pushes;
+}
+
+// Where the centre of a player may be that stands on an end.
+std::vector<Line> centresAbove(Vec end) {
+  std::vector<Line> places;
+  forEachSide([&](Vec normal, Vec halfSide) {
+    const Vec middle = end + normal * kApothemInUnits;
+    if (normal.y >= kSteepestGround - kMargin) places.push_back({middle - halfSide, middle + halfSide});
+  });
+  return places;
+}
+
+// Whether a player with its centre anywhere between these places would overlap one and the same wall. (The places where
+// it does are convex.)
+bool isBlocked(std::initializer_list<Vec> centres, std::span<const ReachWall> walls) {
+  return std::any_of(walls.begin(), walls.end(), [&](const ReachWall& wall) {
+    constexpr double reach = kApothemInUnits - 2 * kMargin;
+    return wall.own && wall.kind == ReachWall::Kind::kSolid &&
+           std::all_of(centres.begin(), centres.end(), [&](Vec centre) { return distance(centre, wall.line) < reach; });
+  });
+}
+
+// Whether nobody can stand on the side of the segment, which is no wall, because of a wall.
+bool isBlockedAbove(const Line& line, std::span<const ReachWall> walls) {
+  const Vec along = line.b.x > line.a.x ? line.b - line.a : line.a - line.b;
+  const Vec up = Vec{-along.y, along.x} * (1 / length(along));
+  const Vec near = up * kApothemInUnits;
+  const Vec far = up * kRadius;
+  return isBlocked({line.a + near, line.b + near, line.a + far, line.b + far}, walls);
+}
+
+// Whether a player stands that touches first one segment and then, in the same tick, the other one. Between them it
+// moves along the first one, perhaps also along a level ceiling, and then into the second one. (A ground on the way
+// would carry it anyway.) A segment alone never pushes to both sides: who leaves a convex obstacle does not come back.
+bool isWedged(const Push& first, const Push& second) {
+  const double side = second.normal.x;
+  if (first.normal.x * side > 0 || (first.normal.y <= 0 && second.normal.y <= 0)) return false;
+  const Vec least = second.centres.low - first.centres.high;
+  const Vec most = second.centres.high - first.centres.low;
+  if (side > 0 ? least.x <= 0 : most.x >= 0) return true;
+  const auto lesser = [](double factor, double a, double b) { return std::min(factor * a, factor * b); };
+  return lesser(second.normal.x, least.x, most.x) + lesser(second.normal.y, least.y, most.y) < 0;
+}
+
+// Whether a player with its centre in the cell stands between two of the segments that it may touch in a tick.
+bool isWedge(std::span<const ReachWall* const> walls, const Rect& cell) {
+  const Rect before{cell.low - kTickReach, cell.high + kTickReach};
+  std::vector<std::vector<Push>> pushes;
+  for (const ReachWall* const wall : walls) pushes.push_back(pushesOf(wall->line, before));
+  for (std::size_t now = 0; now < walls.size(); ++now) {
+    for (const Push& second : pushesOf(walls[now]->line, cell)) {
+      for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (i != now &&
+            std::any_of(pushes[i].begin(), pushes[i].end(), [&](const Push& first) { return isWedged(first, second); }))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool isOnEdge(Vec point, const std::vector<Vec>& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     if (distance(point, Line{polygon[i], polygon[(i + 1) % polygon.size()]}) < kMargin) return true;
@@ -52,7 +177,7 @@ ReachGrid::ReachGrid(const Level& level, const UprightFaces& faces, std::uint32_
     : cellSize_(cellSize) {
   markInside(faces.all()[node].polygon);
   const std::vector<ReachWall> walls = wallsNear(level, faces, node);
-  for (const ReachWall& wall : walls) add(wall, faces.all()[node].polygon);
+  for (const ReachWall& wall : walls) add(wall, walls, faces.all()[node].polygon);
   addWedges(walls);
   for (const Place& goal : level.goalPlaces) {
     if (goal.part == faces.all()[node].face) addGoal(uprightOf(goal.position, faces.all()[node].up));
@@ -125,9 +250,9 @@ void ReachGrid::visitNear(const Line& line, double reach, Visitor&& visitor) {
   for (const std::size_t cell : near) visitor(cells_[cell], rectOf(cell), cell);
 }
 
-void ReachGrid::add(const ReachWall& wall, const std::vector<Vec>& polygon) {
+void ReachGrid::add(const ReachWall& wall, std::span<const ReachWall> walls, const std::vector<Vec>& polygon) {
   if (wall.own) addBlocking(wall);
-  if (wall.carries) addCarrying(wall);
+  if (wall.carries) addCarrying(wall, walls);
   if (wall.kind == ReachWall::Kind::kOneway) addOneway(wall, polygon);
   const bool isPlate = wall.element != nullptr && wall.element->kind == ElementKind::kPlate;
   if (wall.kind != ReachWall::Kind::kTrigger && !isPlate) return;
@@ -158,11 +283,12 @@ void ReachGrid::addBlocking(const ReachWall& wall) {
   });
 }
 
-void ReachGrid::addCarrying(const ReachWall& wall) {
+void ReachGrid::addCarrying(const ReachWall& wall, std::span<const ReachWall> walls) {
   const double slope = slopeOf(wall.line);
-  if (slope <= kSteepSlope && !isPoint(wall.line)) addGround(wall.line, slope > kFlatSlope);
+  if (slope <= kSteepSlope && !isPoint(wall.line) && !isBlockedAbove(wall.line, walls))
+    addGround(wall.line, slope > kFlatSlope);
   for (const Vec end : {wall.line.a, wall.line.b}) {
-    addGround({end, end}, true);
+    addGroundOnEnd(end, walls);
     addSlowing({end, end}, false);
   }
   if (slope > kSteepSlope && slope < kVerticalSlope) addSlowing(wall.line, true);
@@ -179,6 +305,18 @@ void ReachGrid::addGround(const Line& line, bool sloped) {
   });
 }
 
+// An end carries a player by one of the lower sides of its shape, unless a wall leaves no room there.
+void ReachGrid::addGroundOnEnd(Vec end, std::span<const ReachWall> walls) {
+  for (const Line& centres : centresAbove(end)) {
+    if (isBlocked({centres.a, centres.b}, walls)) continue;
+    visitNear(centres, kMargin, [&](Cell& cell, const Rect& rect, std::size_t) {
+      if (distance(rect, centres) > kMargin) return;
+      cell.grounded = cell.sloped = true;
+      cell.highest = std::max(cell.highest, rect.high.y);
+    });
+  }
+}
+
 void ReachGrid::addSlowing(const Line& line, bool steep) {
   visitNear(line, kTouch, [&](Cell& cell, const Rect& rect, std::size_t) {
     const auto below = lowerPart(line, rect.high.y - (steep ? 0 : kSlowBelow));
@@ -188,28 +326,27 @@ void ReachGrid::addSlowing(const Line& line, bool steep) {
   });
 }
 
-// A player between two segments, at most the width of the ball apart, may stand.
+// A player that touches two segments in one tick, one on its left and one on its right, stands if one of them pushes it
+// up: Player::standInWedge. The cell is the one in which it touches the second of them; it was at most a tick away when
+// it touched the first.
 void ReachGrid::addWedges(std::span<const ReachWall> walls) {
-  struct Sides {
-    double left = -1e300;
-    double right = 1e300;
+  struct Near {
+    std::vector<const ReachWall*> inTick;
+    bool isTouched = false;
   };
-  std::vector<Sides> sides(size());
+  std::vector<Near> near(size());
   for (const ReachWall& wall : walls) {
     if (!wall.carries) continue;
-    visitNear(wall.line, kTouch, [&](Cell&, const Rect& rect, std::size_t cell) {
-      const auto below = lowerPart(wall.line, rect.high.y + kSlowBelow);
-      if (!below || distance(rect, *below) > kTouch) return;
-      const double first = std::min(below->a.x, below->b.x);
-      const double last = std::max(below->a.x, below->b.x);
-      if (last < rect.high.x) sides[cell].left = std::max(sides[cell].left, last);
-      if (first > rect.low.x) sides[cell].right = std::min(sides[cell].right, first);
+    visitNear(wall.line, kTouch + kTickReach.y, [&](Cell& cell, const Rect& rect, std::size_t index) {
+      if (!cell.inside || cell.blocked || distance(rect, wall.line) > kTouch + length(kTickReach)) return;
+      near[index].inTick.push_back(&wall);
+      near[index].isTouched = near[index].isTouched || distance(rect, wall.line) <= kTouch;
     });
   }
   for (std::size_t i = 0; i < size(); ++i) {
-    if (sides[i].right - sides[i].left > kWedge) continue;
-    cells_[i].grounded = true;
-    cells_[i].highest = rectOf(i).high.y;
+    if (!near[i].isTouched || near[i].inTick.size() < 2 || !isWedge(near[i].inTick, rectOf(i))) continue;
+    cells_[i].grounded = cells_[i].sloped = true;
+    cells_[i].highest = std::max(cells_[i].highest, rectOf(i).high.y);
   }
 }
 

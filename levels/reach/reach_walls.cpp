@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "platon/game/stage.h"
+
 namespace platon {
 namespace {
 
@@ -19,7 +21,10 @@ Rect boundsOf(const std::vector<Vec>& points) {
 class WallList {
  public:
   WallList(const Level& level, const UprightFaces& faces, std::uint32_t node)
-      : level_(level), faces_(faces), bounds_(boundsOf(faces.all()[node].polygon)) {
+      : level_(level),
+        faces_(faces),
+        posts_(postsOf(level.solid, level.faceSize)),
+        bounds_(boundsOf(faces.all()[node].polygon)) {
     bounds_.low = bounds_.low - Vec{kNear, kNear};
     bounds_.high = bounds_.high + Vec{kNear, kNear};
     append(node, {}, true);
@@ -38,14 +43,18 @@ class WallList {
   void append(std::uint32_t node, Vec shift, bool own) {
     const UprightFace& face = faces_.all()[node];
     const auto& segments = level_.segments[face.face];
-    for (std::uint32_t i = 0; i < segments.size(); ++i) {
-      const Element* const element = findElement(level_.elements, face.face, i);
+    const auto add = [&](const Segment& segment, const Element* element) {
       ReachWall wall;
-      wall.line = {uprightOf(segments[i].a, face.up) - shift, uprightOf(segments[i].b, face.up) - shift};
+      wall.line = {uprightOf(segment.a, face.up) - shift, uprightOf(segment.b, face.up) - shift};
       wall.own = own;
       wall.element = element;
       wall.node = node;
       if (distance(bounds_, wall.line) == 0 && describe(wall, face)) walls_.push_back(wall);
+    };
+    for (std::uint32_t i = 0; i < segments.size(); ++i) add(segments[i], findElement(level_.elements, face.face, i));
+    for (const Post& post : posts_) {
+      add(post.cut, nullptr);
+      add({post.corner, post.corner}, nullptr);
     }
   }
 
@@ -67,6 +76,7 @@ class WallList {
 
   const Level& level_;
   const UprightFaces& faces_;
+  std::vector<Post> posts_;
   Rect bounds_;
   std::vector<ReachWall> walls_;
 };

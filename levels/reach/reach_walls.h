@@ -27,8 +27,8 @@ struct ReachWall {
   std::uint32_t node = 0;            ///< of its face
 };
 
-/// The segments that a player on an upright face can touch: those of the face, and those of its neighbours over one and
-/// two edges. Segments of `up K` that do not block this up are left out.
+/// The segments that a player on an upright face can touch, the posts at its corners included: those of the face, and
+/// those of its neighbours over one and two edges. Segments of `up K` that do not block this up are left out.
 std::vector<ReachWall> wallsNear(const Level& level, const UprightFaces& faces, std::uint32_t node);
 
 }  // namespace platon

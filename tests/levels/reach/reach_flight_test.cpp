@@ -26,8 +26,7 @@ class ReachFlightTest : public testing::Test {
   Visits fly(Vec from, bool rising, double apex, int maxCrossings = 0) {
     std::vector<std::vector<ReachKnown>> known;
     for (const auto& grid : grids_) known.emplace_back(2 * grid->size());
-    const std::vector<int> opened(kMaxDoorNumbers, 0);
-    const ReachFlight::World world{*faces_, grids_, opened, known, maxCrossings};
+    const ReachFlight::World world{*faces_, grids_, ~0U, known, maxCrossings};
     const auto cell = static_cast<std::uint32_t>(grids_[0]->cellAt(from));
     Visits visits;
     ReachFlight(world, {0, rising, false, FlightEnvelope::measured().runSpeed(), apex, {cell}}, 0)

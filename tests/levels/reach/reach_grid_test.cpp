@@ -49,16 +49,25 @@ TEST_F(ReachGridTest, APlayerStandsOnFloorsAndEndsOnly) {
   EXPECT_FALSE(at(0, 30).grounded);
   EXPECT_FALSE(at(0, -11.8).grounded) << "below a ceiling";
   EXPECT_FALSE(at(138, 0).grounded) << "beside a wall";
-  EXPECT_TRUE(at(150, 112).grounded) << "on the end of a wall";
-  EXPECT_TRUE(at(150, 112).sloped);
+  EXPECT_TRUE(at(150, 111.7).grounded) << "on the end of a wall";
+  EXPECT_TRUE(at(150, 111.7).sloped);
   EXPECT_FALSE(at(-173, 0).grounded) << "on a steep segment";
   EXPECT_TRUE(at(-173, 0).steep);
 }
 
-TEST_F(ReachGridTest, APlayerStandsInANarrowGap) {
-  gridOf("-12 -100 -12 100\n12 -100 12 100\n100 -100 100 100\n130 -100 130 100");
-  EXPECT_TRUE(at(0, 0).grounded);
-  EXPECT_FALSE(at(115, 0).grounded) << "too wide";
+TEST_F(ReachGridTest, APlayerStandsInAWedge) {
+  gridOf("-12 -100 -12 100\n8 -100 30 100\n100 -100 100 100\n124 -100 124 100");
+  EXPECT_TRUE(at(0, -63).grounded);
+  EXPECT_TRUE(at(0, -63).sloped);
+  EXPECT_FALSE(at(0, 60).grounded) << "too wide to touch both sides in one tick";
+  EXPECT_FALSE(at(112, 0).grounded) << "no side pushes up";
+}
+
+TEST_F(ReachGridTest, AWallLeavesNoRoomToStandOnThePostAtItsFoot) {
+  gridOf("-240 -240 -160 0");
+  EXPECT_FALSE(at(-226.8, -231).grounded);
+  gridOf("");
+  EXPECT_TRUE(at(-235, -229).grounded);
 }
 
 TEST_F(ReachGridTest, HazardsCarryNobodyAndDoorsBlockByTheirNumber) {

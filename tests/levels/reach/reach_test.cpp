@@ -2,18 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "tests/shared/game/played_game.h"
-#include "tests/sim/button_presses.h"
-#include "tests/support/files.h"
-#include "tests/support/run/repetitions.h"
 
 namespace platon::reach_test {
 namespace {
-
-constexpr std::uint64_t kSeed = 5;
 
 const std::string kFlat = "-240 -200 240 -200\n";
 
@@ -82,39 +76,65 @@ TEST(ReachTest, AHazardIsNoGround) {
   EXPECT_EQ(crossings(" hazard"), std::nullopt);
 }
 
-// What random players do is possible.
-class ReachLawTest : public testing::TestWithParam<std::string> {};
-
-TEST_P(ReachLawTest, NobodyGetsFarther) {
-  constexpr int kMost = hasSanitizers() ? 1 : 2;
-  const auto level = levelOf(readText(GetParam()));
-  const Reach reach(*level, kMost);
-  std::mt19937_64 random(kSeed);
-  for (std::uint32_t play = 0; play < repetitions(40u); ++play) {
-    Game game(level);
-    sim::ButtonPresses presses(kSeed, play);
-    for (int tick = 0; tick < 1200; ++tick) {
-      Input input = presses.next();
-      if (random() % 40 == 0) input.buttons |= Input::kDown;
-      const Input inputs[] = {validInput(input.buttons)};
-      game.advance(inputs);
-      const EntityState& player = game.world().entities()[0];
-      // What needs more crossings than the goal is not searched.
-      if (static_cast<int>(player.crossings) > kMost ||
-          static_cast<int>(player.crossings) >= reach.crossingsToGoal().value_or(kMost + 1))
-        break;
-      const auto least = reach.crossingsTo(player.part, player.position, player.angle);
-      ASSERT_TRUE(least && *least <= static_cast<int>(player.crossings))
-          << "seed " << kSeed << ", play " << play << ", tick " << tick << ": face " << player.part << " at "
-          << player.position.x / 1024 << " " << player.position.y / 1024;
-    }
-  }
+TEST(ReachTest, APlayerStandsOnThePostAtACorner) {
+  const auto level = cubeLevel("0 235 -227 0", {}, "0 225 -185");
+  PlayedGame played(level);
+  played.run(20, kNone);
+  EXPECT_TRUE(played.grounded());
+  played.run(20, Input::kJump);
+  EXPECT_TRUE(played.player().finished());
+  EXPECT_EQ(Reach(*level, 2).crossingsToGoal(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ReachLawTest, testing::ValuesIn(solidLevels()),
-                         [](const testing::TestParamInfo<std::string>& test) {
-                           return "Level" + std::to_string(test.index);
-                         });
+TEST(ReachTest, APlayerStandsBetweenASteepSegmentAndAWall) {
+  const auto level = cubeLevel("0 14 -150 0", {"0 0 0 -200\n0 -200 100 -30.2"}, "0 14 -105");
+  PlayedGame played(level);
+  played.run(30, kNone);
+  EXPECT_TRUE(played.grounded());
+  played.run(20, Input::kJump);
+  EXPECT_TRUE(played.player().finished());
+  EXPECT_EQ(Reach(*level, 2).crossingsToGoal(), 0);
+}
+
+// The place before the door is visited without a crossing, when the door is still shut.
+TEST(ReachTest, WhoComesBackWithAKeyGoesThroughTheDoor) {
+  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n";
+  const std::string key = "0 -180 0 -160 key 1\n";
+  const auto level = cubeLevel("0 0 -180 0", {kFlat + room, "", "", kFlat + key}, "0 160 -184");
+  EXPECT_EQ(Reach(*level, 4).crossingsToGoal(), 2);
+}
+
+TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheCheckpointBeforeIt) {
+  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n-100 -185 -100 -180 checkpoint\n";
+  const std::string trap = "-240 -200 240 -200 hazard\n200 -180 200 -150 key 1\n";
+  const auto level = cubeLevel("0 0 -180 0", {kFlat + room, "", "", trap}, "0 160 -184");
+  EXPECT_EQ(Reach(*level, 4).crossingsToGoal(), 1);
+}
+
+TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheStart) {
+  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n";
+  const std::string trap = "-240 -200 240 -200 hazard\n200 -180 200 -150 key 1\n";
+  const auto level = cubeLevel("0 0 -180 0", {kFlat + room, "", "", trap}, "0 160 -184");
+  EXPECT_EQ(Reach(*level, 4).crossingsToGoal(), 1);
+}
+
+// Only the first numbers are told apart. Doors of others are open from the start, which allows more, not less.
+TEST(ReachTest, DoorsOfManyNumbersAreOpenFromTheStart) {
+  std::string doors;
+  std::string keys;
+  for (int number = 0; number <= Reach::kMostNumbers; ++number) {
+    doors += std::to_string(60 + number) + " -200 " + std::to_string(60 + number) + " -20 door " +
+             std::to_string(number) + "\n";
+    keys += "0 -180 0 -160 key " + std::to_string(number) + "\n";
+  }
+  const std::string room = "60 -20 240 -20\n";
+  const auto crossings = [&](const std::string& lines, const std::string& more) {
+    return Reach(*cubeLevel("0 0 -180 0", {kFlat + room + lines, "", "", kFlat + more}, "0 160 -184"), 2)
+        .crossingsToGoal();
+  };
+  EXPECT_EQ(crossings(doors, keys), 2);
+  EXPECT_EQ(crossings("60 -200 60 -20 door 4\n", "0 -180 0 -160 key 4\n"), 2);
+}
 
 }  // namespace
 }  // namespace platon::reach_test

@@ -9,9 +9,14 @@
 namespace platon::reach_walls_test {
 namespace {
 
+// The posts at the corners are very short.
+bool isPost(const ReachWall& wall) { return length(wall.line.b - wall.line.a) < 0.2; }
+
 std::vector<ReachWall> wallsOf(const std::string& lines, const std::string& neighbour = "") {
   const auto level = cubeLevel("0 -200 200 0", {lines, neighbour});
-  return wallsNear(*level, UprightFaces(*level), 0);
+  std::vector<ReachWall> walls = wallsNear(*level, UprightFaces(*level), 0);
+  std::erase_if(walls, [](const ReachWall& wall) { return isPost(wall); });
+  return walls;
 }
 
 TEST(ReachWallsTest, EveryElementIsWhatItIsToAPlayerWithThisUp) {
@@ -43,6 +48,19 @@ TEST(ReachWallsTest, SegmentsJustBehindAnEdgeBelongToTheFaceToo) {
   EXPECT_FALSE(walls[1].own);
   EXPECT_NEAR(walls[1].line.a.x, 250, 0.01) << "unfolded";
   EXPECT_NEAR(walls[1].line.a.y, 5, 0.01);
+}
+
+TEST(ReachWallsTest, EachCornerHasPostsOfItsFaceAndOfTheNeighbours) {
+  const auto level = cubeLevel("0 -200 200 0", {});
+  const std::vector<ReachWall> walls = wallsNear(*level, UprightFaces(*level), 0);
+  for (const Vec corner : {Vec{-240, -240}, {240, -240}, {240, 240}, {-240, 240}}) {
+    const auto at = [&](const ReachWall& wall) { return distance(corner, wall.line) < 0.1; };
+    const auto own =
+        std::count_if(walls.begin(), walls.end(), [&](const ReachWall& wall) { return at(wall) && wall.own; });
+    EXPECT_EQ(own, 2) << "a cut and a point";
+    EXPECT_GE(std::count_if(walls.begin(), walls.end(), at), 3 * own) << "those of two neighbours, too";
+  }
+  for (const ReachWall& wall : walls) EXPECT_TRUE(isPost(wall) && wall.kind == ReachWall::Kind::kSolid && wall.carries);
 }
 
 }  // namespace

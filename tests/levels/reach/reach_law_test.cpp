@@ -1,0 +1,222 @@
+// What a player does in the game is possible in Reach: on shipped levels, on levels that were built to fool it, and on
+// random ones. So what Reach proves is true (I9).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "levels/reach/reach.h"
+#include "tests/levels/reach/explorer.h"
+#include "tests/shared/game/played_game.h"
+#include "tests/support/files.h"
+#include "tests/support/run/repetitions.h"
+
+namespace platon::reach_law_test {
+namespace {
+
+constexpr std::uint64_t kSeed = 31;
+constexpr int kFaceSize = 220;
+
+// PLATON_EXPLORE sets the ticks of each level.
+std::uint64_t exploredTicks() {
+  if (const char* const ticks = std::getenv("PLATON_EXPLORE")) return std::strtoull(ticks, nullptr, 10);
+  return repetitions(std::uint64_t{100'000});
+}
+
+struct Case {
+  std::string name;
+  std::string text;
+};
+
+void PrintTo(const Case& level, std::ostream* out) { *out << level.name; }
+
+struct Solid {
+  SolidKind kind;
+  const char* word;
+  int degrees;  // between the ups of a walk round a corner
+};
+
+constexpr Solid kSolids[] = {{SolidKind::kTetrahedron, "TETRAHEDRON", 180},
+                             {SolidKind::kHexahedron, "HEXAHEDRON", 90},
+                             {SolidKind::kOctahedron, "OCTAHEDRON", 120},
+                             {SolidKind::kDodecahedron, "DODECAHEDRON", 36},
+                             {SolidKind::kIcosahedron, "ICOSAHEDRON", 60}};
+
+std::string text(const char* layout, auto... values) {
+  char line[200];
+  std::snprintf(line, sizeof line, layout, values...);
+  return line;
+}
+
+std::string lineOf(Vec a, Vec b, const std::string& word = "") {
+  return text("%.4f %.4f %.4f %.4f ", a.x, a.y, b.x, b.y) + word + "\n";
+}
+
+// A level of this solid with these lines on face 0. The goal is walled in on the last face, so that the search does not
+// end at it.
+std::string levelText(const Solid& solid, const std::string& start, const std::string& lines) {
+  const int faces = PlatonicSolid::of(solid.kind).faces();
+  std::string result = solid.word + text("\n0 %s\n%d 0 0\n%d\n%%\n", start.c_str(), faces - 1, kFaceSize) + lines;
+  for (int face = 1; face < faces; ++face) {
+    result += "%\n";
+    if (face == faces - 1) result += "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n";
+  }
+  return result;
+}
+
+void addIfValid(std::vector<Case>& cases, const std::string& name, const std::string& level) {
+  if (loadLevel(level).level) cases.push_back({name, level});
+}
+
+Vec inUnits(Point point) { return {point.x / 1024.0, point.y / 1024.0}; }
+
+// Nothing but the posts at the corners, with the start just above one.
+std::vector<Case> posts() {
+  std::vector<Case> cases;
+  for (const Solid& solid : kSolids) {
+    const std::vector<Point> polygon = facePolygon(solid.kind, kFaceSize);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec corner = inUnits(polygon[i]);
+      const Vec inwards = corner * (-1 / length(corner));
+      const Vec start = corner + inwards * 15;
+      // Up is from the corner to the middle of the face, to the degree.
+      const int degrees = static_cast<int>(std::lround(std::atan2(-inwards.x, inwards.y) * 180 / 3.14159265358979));
+      for (const int turn : {0, 1, -2, 45})
+        addIfValid(cases, solid.word + text("Corner%zuTurn%d", i, turn + 90),
+                   levelText(solid, text("%.3f %.3f %d", start.x, start.y, degrees + turn), ""));
+    }
+  }
+  return cases;
+}
+
+// Two sides that meet below the start, or nearly: slopes of all angles to the horizontal, walls and overhangs.
+std::vector<Case> wedges() {
+  std::vector<Case> cases;
+  const auto side = [](int degrees, double gap) {
+    const double angle = degrees * 3.14159265358979 / 180;
+    return Line{{gap, -40}, Vec{gap, -40} + Vec{std::cos(angle), std::sin(angle)} * 60};
+  };
+  const auto mirrored = [](Line line) { return Line{{-line.a.x, line.a.y}, {-line.b.x, line.b.y}}; };
+  for (const Solid& solid : kSolids) {
+    for (const int left : {59, 75, 90, 100}) {
+      for (const int right : {52, 60, 80}) {
+        for (const int gap : {0, 9}) {
+          const Line rightLine = side(right, gap);
+          const Line leftLine = mirrored(side(left, gap));
+          addIfValid(cases, solid.word + text("Left%dRight%dGap%d", left, right, gap),
+                     levelText(solid, "0 30 0", lineOf(leftLine.a, leftLine.b) + lineOf(rightLine.a, rightLine.b)));
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+const char* kWords[] = {"",     "",      "",      "oneway", "hazard", "checkpoint", "up 0",
+                        "up 1", "key 0", "key 1", "door 0", "door 1", "plate 2",    "door 2"};
+
+// Lines of all words anywhere on all faces, many short, and a floor under the start.
+std::vector<Case> anything(std::uint64_t count) {
+  std::vector<Case> cases;
+  for (std::uint64_t i = 0; cases.size() < count; ++i) {
+    sim::SeededRandom random(kSeed * 1000 + i);
+    const Solid& solid = kSolids[random.below(std::size(kSolids))];
+    const int size = 200 + static_cast<int>(random.below(200));
+    const int faces = PlatonicSolid::of(solid.kind).faces();
+    const auto coordinate = [&] {
+      return static_cast<double>(random.below(static_cast<std::uint64_t>(size))) - size / 2.0;
+    };
+    std::string level = solid.word + text("\n0 0 0 0\n%d 0 0\n%d\n", faces - 1, size);
+    for (int face = 0; face < faces; ++face) {
+      level += "%\n";
+      if (face == 0) level += "-40 -30 40 -30\n";
+      if (face == faces - 1) level += "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n";
+      for (auto lines = 2 + random.below(10); lines > 0; --lines) {
+        const Vec a{coordinate(), coordinate()};
+        const Vec b = random.below(2) == 0 ? Vec{coordinate(), coordinate()}
+                                           : a + Vec{coordinate() / 6 + 1, random.below(2) == 0 ? 0 : coordinate() / 6};
+        level += lineOf(a, b, kWords[random.below(std::size(kWords))]);
+      }
+    }
+    addIfValid(cases, text("Level%d", static_cast<int>(i)), level);
+  }
+  return cases;
+}
+
+// Rooms in a row on one floor of the cube, each behind a door; the keys lie in any order, some beside the start and
+// some behind other doors, and some doors are also above the way.
+std::vector<Case> keys() {
+  std::vector<Case> cases;
+  for (int order = 0; order < 24; ++order) {
+    int places[] = {-150, 10, 90, 170};
+    sim::SeededRandom random(static_cast<std::uint64_t>(order) + 77);
+    for (std::size_t i = 3; i > 0; --i) std::swap(places[i], places[random.below(i + 1)]);
+    std::string lines = "-240 -200 240 -200\n-240 -100 240 -100\n";
+    for (int number = 0; number < 3; ++number) {
+      lines += text("%d -200 %d -100 door %d\n", -30 + 80 * number, -30 + 80 * number, number);
+      lines += text("%d -180 %d -170 %s %d\n", places[number], places[number],
+                    number == 2 && order % 2 ? "plate" : "key", number);
+    }
+    // A key behind an edge, and a door where the way back from there ends.
+    const std::string behind = "-240 -200 0 -200\n-100 -180 -100 -170 key 3\n";
+    lines += "-120 -200 -120 -100 door 3\n";
+    std::string level = "HEXAHEDRON\n0 -80 -180 0\n5 0 0\n480\n%\n" + lines;
+    for (int face = 1; face < 6; ++face)
+      level += "%\n" + (face == 5 ? "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n" : behind);
+    addIfValid(cases, text("Order%d", order), level);
+  }
+  return cases;
+}
+
+std::vector<Case> shipped() {
+  std::vector<Case> cases;
+  for (const std::string& file : solidLevels()) cases.push_back({text("Level%zu", cases.size()), readText(file)});
+  return cases;
+}
+
+// A third of them in a brief run.
+std::vector<Case> some(const std::vector<Case>& cases) {
+  std::vector<Case> chosen;
+  for (std::size_t i = 0; i < cases.size(); i += isBrief() ? 3 : 1) chosen.push_back(cases[i]);
+  return chosen;
+}
+
+class ReachLawTest : public testing::TestWithParam<Case> {};
+
+TEST_P(ReachLawTest, NobodyGetsFarther) {
+  const auto level = levelOf(GetParam().text);
+  const int most = isBrief() ? 1 : 2;
+  const Reach reach(*level, most);
+  // What needs as many crossings as the goal, or more, is not searched.
+  const int searched = std::min(most + 1, reach.crossingsToGoal().value_or(most + 1));
+  Explorer explorer(level, kSeed);
+  bool holds = true;
+  explorer.play(exploredTicks(), [&](const Game& game, int crossings) {
+    if (crossings >= searched || !holds) return false;
+    const EntityState& player = game.world().entities()[0];
+    const auto least = reach.crossingsTo(player.part, player.position, player.angle);
+    holds = least && *least <= crossings;
+    EXPECT_TRUE(holds) << "tick " << game.tick() << ": face " << player.part << " at " << player.position.x / 1024.0
+                       << " " << player.position.y / 1024.0 << ", up " << player.angle.centidegrees() / 100 << ", "
+                       << crossings << " crossings, doors " << game.openDoors() << ", in Reach " << least.value_or(-1)
+                       << "\n"
+                       << GetParam().text;
+    return holds;
+  });
+}
+
+const auto nameOf = [](const testing::TestParamInfo<Case>& test) { return test.param.name; };
+
+INSTANTIATE_TEST_SUITE_P(Shipped, ReachLawTest, testing::ValuesIn(shipped()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Posts, ReachLawTest, testing::ValuesIn(some(posts())), nameOf);
+INSTANTIATE_TEST_SUITE_P(Wedges, ReachLawTest, testing::ValuesIn(some(wedges())), nameOf);
+INSTANTIATE_TEST_SUITE_P(Keys, ReachLawTest, testing::ValuesIn(keys()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Anything, ReachLawTest, testing::ValuesIn(anything(isBrief() ? 2 : 40)), nameOf);
+
+}  // namespace
+}  // namespace platon::reach_law_test
