@@ -21,11 +21,13 @@ namespace {
 
 constexpr std::uint64_t kSeed = 31;
 constexpr int kFaceSize = 220;
+// Of the ways that are compared: with each more of them, Reach takes ten times as long on crowded levels.
+constexpr int kMostCrossings = 1;
 
 // PLATON_EXPLORE sets the ticks of each level.
 std::uint64_t exploredTicks() {
   if (const char* const ticks = std::getenv("PLATON_EXPLORE")) return std::strtoull(ticks, nullptr, 10);
-  return repetitions(std::uint64_t{100'000});
+  return repetitions(std::uint64_t{60'000});
 }
 
 struct Case {
@@ -190,10 +192,9 @@ class ReachLawTest : public testing::TestWithParam<Case> {};
 
 TEST_P(ReachLawTest, NobodyGetsFarther) {
   const auto level = levelOf(GetParam().text);
-  const int most = isBrief() ? 1 : 2;
-  const Reach reach(*level, most);
+  const Reach reach(*level, kMostCrossings);
   // What needs as many crossings as the goal, or more, is not searched.
-  const int searched = std::min(most + 1, reach.crossingsToGoal().value_or(most + 1));
+  const int searched = std::min(kMostCrossings + 1, reach.crossingsToGoal().value_or(kMostCrossings + 1));
   Explorer explorer(level, kSeed);
   bool holds = true;
   explorer.play(exploredTicks(), [&](const Game& game, int crossings) {
@@ -216,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, ReachLawTest, testing::ValuesIn(shipped()), na
 INSTANTIATE_TEST_SUITE_P(Posts, ReachLawTest, testing::ValuesIn(some(posts())), nameOf);
 INSTANTIATE_TEST_SUITE_P(Wedges, ReachLawTest, testing::ValuesIn(some(wedges())), nameOf);
 INSTANTIATE_TEST_SUITE_P(Keys, ReachLawTest, testing::ValuesIn(keys()), nameOf);
-INSTANTIATE_TEST_SUITE_P(Anything, ReachLawTest, testing::ValuesIn(anything(isBrief() ? 2 : 40)), nameOf);
+INSTANTIATE_TEST_SUITE_P(Anything, ReachLawTest, testing::ValuesIn(anything(isBrief() ? 2 : 12)), nameOf);
 
 }  // namespace
 }  // namespace platon::reach_law_test
