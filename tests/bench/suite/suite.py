@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import threading
 from collections import Counter
 from dataclasses import dataclass, field
@@ -72,13 +73,14 @@ def build(lane, root, folder):
 
 
 def tests_of(lane, root, folder):
-    """[(name, command, environment, working directory)] of the tests of the lane."""
+    """[(name, command, environment, working directory, what its output must contain)] of the tests of the lane."""
     described = json.loads(checked(["ctest", "--test-dir", folder, "--show-only=json-v1"], root))
     for test in described["tests"]:
         properties = {entry["name"]: entry["value"] for entry in test["properties"]}
         if lane.label in properties.get("LABELS", []):
             environment = dict(entry.split("=", 1) for entry in properties.get("ENVIRONMENT", []))
-            yield test["name"], test["command"], environment, properties.get("WORKING_DIRECTORY", folder)
+            expected = properties.get("PASS_REGULAR_EXPRESSION", [])
+            yield test["name"], test["command"], environment, properties.get("WORKING_DIRECTORY", folder), expected
 
 
 def measure(lane, tests):
@@ -91,15 +93,20 @@ def measure(lane, tests):
     def work():
         while True:
             try:
-                name, command, environment, directory = left.get_nowait()
+                name, command, environment, directory, expected = left.get_nowait()
             except queue.Empty:
                 return
             environment = os.environ | environment | {"PLATON_BRIEF": "1"}
-            child = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL,
-                                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # fmt: skip
-            _, status, used = os.wait4(child.pid, 0)
+            with tempfile.TemporaryFile("w+", errors="replace") as output:
+                child = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+                                         stdout=output, stderr=output)  # fmt: skip
+                _, status, used = os.wait4(child.pid, 0)
+                output.seek(0)
+                said = output.read()
             lane.run[name] = used.ru_utime + used.ru_stime
-            if os.waitstatus_to_exitcode(status) not in (0, 77):  # 77: skipped
+            code = os.waitstatus_to_exitcode(status)
+            passes = any(re.search(words, said) for words in expected) if expected else code in (0, 77)  # 77: skipped
+            if not passes:
                 failed.append(name)
 
     threads = [threading.Thread(target=work) for _ in range(os.cpu_count())]
