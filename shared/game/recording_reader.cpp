@@ -106,6 +106,8 @@ std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint
   reader.read(stateBytes);
   const auto refuse = [&](std::string_view what) { return setDamaged(offset, what), std::nullopt; };
   if (ticks > kMaxCheckpointTicks || slots > kMaxPlayers) return refuse("the block has too many ticks or slots");
+  // So that no sum of ticks wraps.
+  if (block.firstTick > UINT32_MAX - ticks) return refuse("the block goes on beyond tick 4294967295");
   if (expectedTick_ && block.firstTick != *expectedTick_) {
     return refuse("the block begins at tick " + std::to_string(block.firstTick) + " instead of tick " +
                   std::to_string(*expectedTick_));

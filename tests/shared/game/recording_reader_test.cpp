@@ -99,6 +99,16 @@ TEST(RecordingReaderTest, RefusesBlocksOutOfOrder) {
             "byte " + std::to_string(end) + ": the block begins at tick 2 instead of tick 1");
 }
 
+// A first block that ended at tick 2^32 was skipped, whatever it held.
+TEST(RecordingReaderTest, RefusesABlockWhoseTicksWrap) {
+  const Bytes oneTick{1, 0, 128, 0, 0, 0, 0, 0, 0, 0, 0};
+  ForgedRecording forged{Game(recordedLevel())};
+  const std::size_t begin = forged.bytes().size();
+  forged.addBlock(UINT32_MAX, 1, 1, oneTick);
+  EXPECT_EQ(read(forged.bytes()).fault, "byte " + std::to_string(begin) + ": the block goes on beyond tick 4294967295");
+  EXPECT_EQ(read(forged.bytes()).ticks, 0u);
+}
+
 TEST(RecordingReaderTest, RefusesBytesAfterTheEnd) {
   Bytes bytes = recordGame(5, 10).recording;
   bytes.push_back(0);

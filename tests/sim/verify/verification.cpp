@@ -18,6 +18,11 @@ void Verifier::start(std::uint32_t from) {
     found_.fault = "byte " + std::to_string(block_->offset) + ": the state of the block is not valid on this level";
     return;
   }
+  if (game.tick() != block_->firstTick) {
+    found_.fault = "byte " + std::to_string(block_->offset) + ": the block begins at tick " +
+                   std::to_string(block_->firstTick) + ", but its state is that of tick " + std::to_string(game.tick());
+    return;
+  }
   found_.firstTick = game.tick();
   found_.hash = game.hash();
   game_ = std::move(game);

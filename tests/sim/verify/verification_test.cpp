@@ -155,5 +155,34 @@ TEST(VerificationTest, RefusesAnInvalidState) {
             "byte " + std::to_string(head) + ": the state of the block is not valid on this level");
 }
 
+// All blocks of a recording, each `later` ticks later, with the states and hashes as they are.
+Bytes shifted(const Bytes& recording, std::uint32_t later) {
+  RecordingReader reader(recording);
+  ForgedRecording forged{Game(level())};
+  while (const auto block = reader.next()) {
+    StateWriter rest;
+    for (std::uint32_t slot = 0; slot < block->slots; ++slot) {
+      for (std::uint32_t tick = 0; tick < block->ticks(); ++tick) {
+        rest.add(std::uint16_t{1});
+        rest.add(block->inputsOf(tick)[slot].buttons);
+      }
+    }
+    for (const std::uint64_t hash : block->hashes) rest.add(hash);
+    forged.setState(block->state);
+    forged.addBlock(block->firstTick + later, static_cast<std::uint16_t>(block->ticks()),
+                    static_cast<std::uint16_t>(block->slots), rest.take());
+  }
+  return forged.bytes();
+}
+
+TEST(VerificationTest, TheTicksOfTheBlocksAreThoseOfTheirStates) {
+  const Bytes bytes = record(130, 60);
+  EXPECT_EQ(Verifier(shifted(bytes, 0)).run().fault, "");
+  const Verification found = Verifier(shifted(bytes, 123456)).run();
+  EXPECT_TRUE(found.fault.ends_with(": the block begins at tick 123456, but its state is that of tick 0"))
+      << found.fault;
+  EXPECT_EQ(found.ticks, 0u);
+}
+
 }  // namespace
 }  // namespace platon::sim::verification_test

@@ -17,7 +17,7 @@ namespace platon {
 /// Ticks from one checkpoint to the next.
 struct RecordedBlock {
   std::size_t offset = 0;             ///< position in the recording, in bytes
-  std::uint32_t firstTick = 0;        ///< ticks the game had advanced before the block
+  std::uint32_t firstTick = 0;        ///< ticks the game had advanced before the block; firstTick + ticks() < 2^32
   std::vector<std::uint8_t> state;    ///< state of the game before the block, as Game::save returns it
   std::vector<std::uint64_t> hashes;  ///< hash of the game after each tick; empty in the block that marks the end
   std::uint32_t slots = 0;
