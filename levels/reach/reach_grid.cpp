@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <optional>
 
@@ -105,35 +104,6 @@ std::vector<Push> pushesOf(const Line& line, const Rect& rect) {
   return pushes;
 }
 
-// Where the centre of a player may be that stands on an end.
-std::vector<Line> centresAbove(Vec end) {
-  std::vector<Line> places;
-  forEachSide([&](Vec normal, Vec halfSide) {
-    const Vec middle = end + normal * kApothemInUnits;
-    if (normal.y >= kSteepestGround - kMargin) places.push_back({middle - halfSide, middle + halfSide});
-  });
-  return places;
-}
-
-// Whether a player with its centre anywhere between these places would overlap one and the same wall. (The places where
-// it does are convex.)
-bool isBlocked(std::initializer_list<Vec> centres, std::span<const ReachWall> walls) {
-  return std::any_of(walls.begin(), walls.end(), [&](const ReachWall& wall) {
-    constexpr double reach = kApothemInUnits - 2 * kMargin;
-    return wall.own && wall.kind == ReachWall::Kind::kSolid &&
-           std::all_of(centres.begin(), centres.end(), [&](Vec centre) { return distance(centre, wall.line) < reach; });
-  });
-}
-
-// Whether nobody can stand on the side of the segment, which is no wall, because of a wall.
-bool isBlockedAbove(const Line& line, std::span<const ReachWall> walls) {
-  const Vec along = line.b.x > line.a.x ? line.b - line.a : line.a - line.b;
-  const Vec up = Vec{-along.y, along.x} * (1 / length(along));
-  const Vec near = up * kApothemInUnits;
-  const Vec far = up * kRadius;
-  return isBlocked({line.a + near, line.b + near, line.a + far, line.b + far}, walls);
-}
-
 // Whether a player stands that touches first one segment and then, in the same tick, the other one. Between them it
 // moves along the first one, perhaps also along a level ceiling, and then into the second one. (A ground on the way
 // would carry it anyway.) A segment alone never pushes to both sides: who leaves a convex obstacle does not come back.
@@ -177,7 +147,7 @@ ReachGrid::ReachGrid(const Level& level, const UprightFaces& faces, std::uint32_
     : cellSize_(cellSize) {
   markInside(faces.all()[node].polygon);
   const std::vector<ReachWall> walls = wallsNear(level, faces, node);
-  for (const ReachWall& wall : walls) add(wall, walls, faces.all()[node].polygon);
+  for (const ReachWall& wall : walls) add(wall, faces.all()[node].polygon);
   addWedges(walls);
   for (const Place& goal : level.goalPlaces) {
     if (goal.part == faces.all()[node].face) addGoal(uprightOf(goal.position, faces.all()[node].up));
@@ -250,9 +220,9 @@ void ReachGrid::visitNear(const Line& line, double reach, Visitor&& visitor) {
   for (const std::size_t cell : near) visitor(cells_[cell], rectOf(cell), cell);
 }
 
-void ReachGrid::add(const ReachWall& wall, std::span<const ReachWall> walls, const std::vector<Vec>& polygon) {
+void ReachGrid::add(const ReachWall& wall, const std::vector<Vec>& polygon) {
   if (wall.own) addBlocking(wall);
-  if (wall.carries) addCarrying(wall, walls);
+  if (wall.carries) addCarrying(wall);
   if (wall.kind == ReachWall::Kind::kOneway) addOneway(wall, polygon);
   const bool isPlate = wall.element != nullptr && wall.element->kind == ElementKind::kPlate;
   if (wall.kind != ReachWall::Kind::kTrigger && !isPlate) return;
@@ -283,12 +253,11 @@ void ReachGrid::addBlocking(const ReachWall& wall) {
   });
 }
 
-void ReachGrid::addCarrying(const ReachWall& wall, std::span<const ReachWall> walls) {
+void ReachGrid::addCarrying(const ReachWall& wall) {
   const double slope = slopeOf(wall.line);
-  if (slope <= kSteepSlope && !isPoint(wall.line) && !isBlockedAbove(wall.line, walls))
-    addGround(wall.line, slope > kFlatSlope);
+  if (slope <= kSteepSlope && !isPoint(wall.line)) addGround(wall.line, slope > kFlatSlope);
   for (const Vec end : {wall.line.a, wall.line.b}) {
-    addGroundOnEnd(end, walls);
+    addGround({end, end}, true);
     addSlowing({end, end}, false);
   }
   if (slope > kSteepSlope && slope < kVerticalSlope) addSlowing(wall.line, true);
@@ -303,18 +272,6 @@ void ReachGrid::addGround(const Line& line, bool sloped) {
     const double top = sloped ? rect.high.y : std::min(rect.high.y, std::max(line.a.y, line.b.y) + kTouch);
     cell.highest = std::max(cell.highest, top);
   });
-}
-
-// An end carries a player by one of the lower sides of its shape, unless a wall leaves no room there.
-void ReachGrid::addGroundOnEnd(Vec end, std::span<const ReachWall> walls) {
-  for (const Line& centres : centresAbove(end)) {
-    if (isBlocked({centres.a, centres.b}, walls)) continue;
-    visitNear(centres, kMargin, [&](Cell& cell, const Rect& rect, std::size_t) {
-      if (distance(rect, centres) > kMargin) return;
-      cell.grounded = cell.sloped = true;
-      cell.highest = std::max(cell.highest, rect.high.y);
-    });
-  }
 }
 
 void ReachGrid::addSlowing(const Line& line, bool steep) {

@@ -51,13 +51,12 @@ class ReachGrid {
   template <class Visitor>
   void visitNear(const Line& line, double reach, Visitor&& visitor);
   void markInside(const std::vector<Vec>& polygon);
-  void add(const ReachWall& wall, std::span<const ReachWall> walls, const std::vector<Vec>& polygon);
+  void add(const ReachWall& wall, const std::vector<Vec>& polygon);
   void addOneway(ReachWall wall, const std::vector<Vec>& polygon);
   void addBlocking(const ReachWall& wall);
   void addGround(const Line& line, bool sloped);
   void addSlowing(const Line& line, bool steep);
-  void addCarrying(const ReachWall& wall, std::span<const ReachWall> walls);
-  void addGroundOnEnd(Vec end, std::span<const ReachWall> walls);
+  void addCarrying(const ReachWall& wall);
   void addWedges(std::span<const ReachWall> walls);
   void addGoal(Vec goal);
 

@@ -43,18 +43,19 @@ class WallList {
   void append(std::uint32_t node, Vec shift, bool own) {
     const UprightFace& face = faces_.all()[node];
     const auto& segments = level_.segments[face.face];
-    const auto add = [&](const Segment& segment, const Element* element) {
+    const auto add = [&](const Segment& segment, const Element* element, bool blocks) {
       ReachWall wall;
       wall.line = {uprightOf(segment.a, face.up) - shift, uprightOf(segment.b, face.up) - shift};
-      wall.own = own;
+      wall.own = blocks;
       wall.element = element;
       wall.node = node;
       if (distance(bounds_, wall.line) == 0 && describe(wall, face)) walls_.push_back(wall);
     };
-    for (std::uint32_t i = 0; i < segments.size(); ++i) add(segments[i], findElement(level_.elements, face.face, i));
+    for (std::uint32_t i = 0; i < segments.size(); ++i)
+      add(segments[i], findElement(level_.elements, face.face, i), own);
     for (const Post& post : posts_) {
-      add(post.cut, nullptr);
-      add({post.corner, post.corner}, nullptr);
+      add(post.cut, nullptr, false);
+      add({post.corner, post.corner}, nullptr, false);
     }
   }
 

@@ -21,7 +21,7 @@ struct ReachWall {
   Line line;
   Kind kind = Kind::kSolid;
   bool carries = true;               ///< a player can stand on it: it is no hazard
-  bool own = true;                   ///< lies on the face itself, not behind an edge
+  bool own = true;                   ///< blocks on the face itself: no post, and not behind an edge
   std::uint32_t doors = 0;           ///< of a door: its bit
   const Element* element = nullptr;  ///< null: a plain segment
   std::uint32_t node = 0;            ///< of its face

@@ -55,10 +55,7 @@ TEST(ReachWallsTest, EachCornerHasPostsOfItsFaceAndOfTheNeighbours) {
   const std::vector<ReachWall> walls = wallsNear(*level, UprightFaces(*level), 0);
   for (const Vec corner : {Vec{-240, -240}, {240, -240}, {240, 240}, {-240, 240}}) {
     const auto at = [&](const ReachWall& wall) { return distance(corner, wall.line) < 0.1; };
-    const auto own =
-        std::count_if(walls.begin(), walls.end(), [&](const ReachWall& wall) { return at(wall) && wall.own; });
-    EXPECT_EQ(own, 2) << "a cut and a point";
-    EXPECT_GE(std::count_if(walls.begin(), walls.end(), at), 3 * own) << "those of two neighbours, too";
+    EXPECT_GE(std::count_if(walls.begin(), walls.end(), at), 6) << "a cut and a point, and those of two neighbours";
   }
   for (const ReachWall& wall : walls) EXPECT_TRUE(isPost(wall) && wall.kind == ReachWall::Kind::kSolid && wall.carries);
 }
