@@ -24,6 +24,7 @@ void Verifier::start(std::uint32_t from) {
     return;
   }
   found_.firstTick = game.tick();
+  found_.beginsInMidGame = game.slots() != 0 || game.openDoors() != 0 || game.over();
   found_.hash = game.hash();
   game_ = std::move(game);
 }

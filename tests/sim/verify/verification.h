@@ -24,10 +24,11 @@ struct Divergence {
 
 /// Result of a replay.
 struct Verification {
-  std::uint32_t firstTick = 0;  ///< tick of the game before the replay
-  std::uint32_t ticks = 0;      ///< number of ticks replayed, up to and including that of the divergence
-  std::uint32_t slots = 0;      ///< slots of the game at the end
-  std::uint64_t hash = 0;       ///< hash of the game after the last of `ticks`
+  std::uint32_t firstTick = 0;   ///< tick of the game before the replay
+  std::uint32_t ticks = 0;       ///< number of ticks replayed, up to and including that of the divergence
+  std::uint32_t slots = 0;       ///< slots of the game at the end
+  bool beginsInMidGame = false;  ///< with players or open doors: what they did before cannot be verified
+  std::uint64_t hash = 0;        ///< hash of the game after the last of `ticks`
   std::optional<Divergence> divergence;
   std::string fault;  ///< error in the recording; empty for a complete one
 };

@@ -184,5 +184,20 @@ TEST(VerificationTest, TheTicksOfTheBlocksAreThoseOfTheirStates) {
   EXPECT_EQ(found.ticks, 0u);
 }
 
+TEST(VerificationTest, ARecordingThatBeginsWithAPlayerBeginsInMidGame) {
+  EXPECT_FALSE(Verifier(record(90, 60)).run().beginsInMidGame);
+  EXPECT_TRUE(Verifier(record(90, 60), 60).run().beginsInMidGame);
+  Game game(level());
+  const Input present[] = {validInput(Input::kPresent)};
+  game.advance(present);
+  Recorder recorder(game);
+  game.advance(present);
+  recorder.record(present, game);
+  recorder.finish(game);
+  const Verification found = Verifier(recorder.takeBytes()).run();
+  EXPECT_TRUE(found.beginsInMidGame);
+  EXPECT_FALSE(found.divergence);
+}
+
 }  // namespace
 }  // namespace platon::sim::verification_test

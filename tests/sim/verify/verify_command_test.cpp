@@ -17,13 +17,15 @@ using testing::MatchesRegex;
 TEST(VerifyCommandTest, PrintsOneJsonObject) {
   const std::string path = recordedFile();
   const std::string json = outputOf(verifyCommand, {path, "--json"});
-  EXPECT_THAT(json, MatchesRegex("\\{\"recording\":\"[^\"]*\",\"firstTick\":0,\"ticks\":300,\"players\":3,"
-                                 "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"timesRealTime\":[0-9]+\\}\n"));
+  EXPECT_THAT(
+      json,
+      MatchesRegex("\\{\"recording\":\"[^\"]*\",\"firstTick\":0,\"beginsInMidGame\":false,\"ticks\":300,\"players\":3,"
+                   "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"timesRealTime\":[0-9]+\\}\n"));
   EXPECT_EQ(
       hashIn(json),
       hashIn(outputOf(runCommand, {levelFile(), "--ticks", "300", "--players", "3", "--drive", "churn", "--json"})));
   EXPECT_THAT(outputOf(verifyCommand, {path, "--from", "130", "--json"}),
-              HasSubstr("\"firstTick\":120,\"ticks\":180,"));
+              HasSubstr("\"firstTick\":120,\"beginsInMidGame\":true,\"ticks\":180,"));
 }
 
 TEST(VerifyCommandTest, RecordsTheReplay) {
