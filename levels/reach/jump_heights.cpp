@@ -86,11 +86,8 @@ bool JumpHeights::touches(std::uint32_t face, const Segment& segment) const {
 
 bool JumpHeights::touches(std::uint32_t node, const Line& line) const {
   constexpr double reach = double{1} * kPlayerRadius / kSubunitsPerUnit + 0.05;
-  const Vec margin{reach, reach};
   std::vector<std::size_t> cells;
-  grids_[node].findOverlapped({Vec{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)} - margin,
-                               Vec{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)} + margin},
-                              cells);
+  grids_[node].findOverlapped(boundsOf(line, {reach, reach}), cells);
   return std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) {
     return fallen_[node][cell] && distance(grids_[node].rectOf(cell), line) <= reach;
   });

@@ -64,23 +64,8 @@ Rect common(const Rect& a, const Rect& b) {
 bool isEmpty(const Rect& rect) { return rect.low.x > rect.high.x || rect.low.y > rect.high.y; }
 
 void addPush(Vec normal, const Line& centres, const Rect& rect, std::vector<Push>& pushes) {
-  const Vec margin{kMargin, kMargin};
-  const Rect box{Vec{std::min(centres.a.x, centres.b.x), std::min(centres.a.y, centres.b.y)} - margin,
-                 Vec{std::max(centres.a.x, centres.b.x), std::max(centres.a.y, centres.b.y)} + margin};
-  const Push push{normal, common(box, rect)};
+  const Push push{normal, common(boundsOf(centres, {kMargin, kMargin}), rect)};
   if (isSteep(normal) && !isEmpty(push.centres) && distance(rect, centres) <= 2 * kMargin) pushes.push_back(push);
-}
-
-// Visits the sides of the player's shape, a regular 16-gon, as an end sees them that they touch: visit(unit normal,
-// half of the side).
-template <class Visitor>
-void forEachSide(Visitor&& visit) {
-  constexpr int sides = 16;
-  for (int side = 0; side < sides; ++side) {
-    const double angle = side * 2 * std::numbers::pi / sides;
-    const Vec normal{std::cos(angle), std::sin(angle)};
-    visit(normal, Vec{-normal.y, normal.x} * (kRadius * std::sin(std::numbers::pi / sides)));
-  }
 }
 
 // How a segment may push a player whose centre is in the rectangle: an end touches a side of its shape, and the
@@ -88,12 +73,16 @@ void forEachSide(Visitor&& visit) {
 std::vector<Push> pushesOf(const Line& line, const Rect& rect) {
   std::vector<Push> pushes;
   if (distance(rect, line) > kTouch) return pushes;
-  forEachSide([&](Vec normal, Vec halfSide) {
+  constexpr int sides = 16;  // of the player's shape
+  for (int side = 0; side < sides; ++side) {
+    const double angle = side * 2 * std::numbers::pi / sides;
+    const Vec normal{std::cos(angle), std::sin(angle)};
+    const Vec half = Vec{-normal.y, normal.x} * (kRadius * std::sin(std::numbers::pi / sides));
     for (const Vec end : {line.a, line.b}) {
       const Vec middle = end + normal * kApothemInUnits;
-      addPush(normal, {middle - halfSide, middle + halfSide}, rect, pushes);
+      addPush(normal, {middle - half, middle + half}, rect, pushes);
     }
-  });
+  }
   if (isPoint(line)) return pushes;
   const Vec along = line.b - line.a;
   for (const double side : {1.0, -1.0}) {
@@ -212,11 +201,8 @@ void ReachGrid::markInside(const std::vector<Vec>& polygon) {
 // Visits every cell within `reach` of the bounding box of the line, as visitor(cell, rectangle).
 template <class Visitor>
 void ReachGrid::visitNear(const Line& line, double reach, Visitor&& visitor) {
-  const Vec margin{reach, reach};
   std::vector<std::size_t> near;
-  findOverlapped({Vec{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)} - margin,
-                  Vec{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)} + margin},
-                 near);
+  findOverlapped(boundsOf(line, {reach, reach}), near);
   for (const std::size_t cell : near) visitor(cells_[cell], rectOf(cell), cell);
 }
 

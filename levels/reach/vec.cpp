@@ -26,6 +26,11 @@ bool meets(const Rect& rect, const Line& line) {
 
 }  // namespace
 
+Rect boundsOf(const Line& line, Vec margin) {
+  return {Vec{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)} - margin,
+          Vec{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)} + margin};
+}
+
 double distance(Vec point, const Line& line) {
   const Vec along = line.b - line.a;
   const double squared = dot(along, along);

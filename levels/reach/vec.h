@@ -43,6 +43,8 @@ struct Rect {
   Vec middle() const { return (low + high) * 0.5; }
 };
 
+/// The bounding box of a line, larger by `margin` on every side.
+Rect boundsOf(const Line& line, Vec margin);
 /// Distance of a point from a line.
 double distance(Vec point, const Line& line);
 /// Distance of a rectangle from a line; 0 when they touch.
