@@ -44,8 +44,6 @@ class Explorer {
     }
   }
 
-  std::size_t places() const { return seen_.size(); }
-
  private:
   struct Seen {
     Game game;

@@ -30,6 +30,9 @@ std::uint64_t exploredTicks() {
   return repetitions(std::uint64_t{60'000});
 }
 
+// Round the goal, so that the search does not end at it.
+const std::string kWalls = "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n";
+
 struct Case {
   std::string name;
   std::string text;
@@ -40,14 +43,13 @@ void PrintTo(const Case& level, std::ostream* out) { *out << level.name; }
 struct Solid {
   SolidKind kind;
   const char* word;
-  int degrees;  // between the ups of a walk round a corner
 };
 
-constexpr Solid kSolids[] = {{SolidKind::kTetrahedron, "TETRAHEDRON", 180},
-                             {SolidKind::kHexahedron, "HEXAHEDRON", 90},
-                             {SolidKind::kOctahedron, "OCTAHEDRON", 120},
-                             {SolidKind::kDodecahedron, "DODECAHEDRON", 36},
-                             {SolidKind::kIcosahedron, "ICOSAHEDRON", 60}};
+constexpr Solid kSolids[] = {{SolidKind::kTetrahedron, "TETRAHEDRON"},
+                             {SolidKind::kHexahedron, "HEXAHEDRON"},
+                             {SolidKind::kOctahedron, "OCTAHEDRON"},
+                             {SolidKind::kDodecahedron, "DODECAHEDRON"},
+                             {SolidKind::kIcosahedron, "ICOSAHEDRON"}};
 
 std::string text(const char* layout, auto... values) {
   char line[200];
@@ -59,14 +61,13 @@ std::string lineOf(Vec a, Vec b, const std::string& word = "") {
   return text("%.4f %.4f %.4f %.4f ", a.x, a.y, b.x, b.y) + word + "\n";
 }
 
-// A level of this solid with these lines on face 0. The goal is walled in on the last face, so that the search does not
-// end at it.
+// A level of this solid with these lines on face 0. The goal is walled in on the last face.
 std::string levelText(const Solid& solid, const std::string& start, const std::string& lines) {
   const int faces = PlatonicSolid::of(solid.kind).faces();
   std::string result = solid.word + text("\n0 %s\n%d 0 0\n%d\n%%\n", start.c_str(), faces - 1, kFaceSize) + lines;
   for (int face = 1; face < faces; ++face) {
     result += "%\n";
-    if (face == faces - 1) result += "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n";
+    if (face == faces - 1) result += kWalls;
   }
   return result;
 }
@@ -137,7 +138,7 @@ std::vector<Case> anything(std::uint64_t count) {
     for (int face = 0; face < faces; ++face) {
       level += "%\n";
       if (face == 0) level += "-40 -30 40 -30\n";
-      if (face == faces - 1) level += "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n";
+      if (face == faces - 1) level += kWalls;
       for (auto lines = 2 + random.below(10); lines > 0; --lines) {
         const Vec a{coordinate(), coordinate()};
         const Vec b = random.below(2) == 0 ? Vec{coordinate(), coordinate()}
@@ -168,8 +169,7 @@ std::vector<Case> keys() {
     const std::string behind = "-240 -200 0 -200\n-100 -180 -100 -170 key 3\n";
     lines += "-120 -200 -120 -100 door 3\n";
     std::string level = "HEXAHEDRON\n0 -80 -180 0\n5 0 0\n480\n%\n" + lines;
-    for (int face = 1; face < 6; ++face)
-      level += "%\n" + (face == 5 ? "-20 -20 20 -20\n20 -20 20 20\n20 20 -20 20\n-20 20 -20 -20\n" : behind);
+    for (int face = 1; face < 6; ++face) level += "%\n" + (face == 5 ? kWalls : behind);
     addIfValid(cases, text("Order%d", order), level);
   }
   return cases;

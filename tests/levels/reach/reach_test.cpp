@@ -10,6 +10,8 @@ namespace platon::reach_test {
 namespace {
 
 const std::string kFlat = "-240 -200 240 -200\n";
+// On the right of the floor, behind a door.
+const std::string kRoom = "60 -200 60 -20 door 1\n60 -20 240 -20\n";
 
 std::optional<int> crossingsToGoal(const std::string& lines, const std::string& goal, int most = 2) {
   return Reach(*cubeLevel("0 0 -180 0", {kFlat + lines}, goal), most).crossingsToGoal();
@@ -61,10 +63,9 @@ TEST(ReachTest, ACrossingIsCounted) {
 }
 
 TEST(ReachTest, ADoorIsNoWayWithoutItsKey) {
-  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n";
-  EXPECT_EQ(crossingsToGoal(room, "0 160 -184", 0), std::nullopt);
-  EXPECT_EQ(crossingsToGoal(room + "-100 -180 -100 -160 key 2", "0 160 -184", 0), std::nullopt);
-  EXPECT_EQ(crossingsToGoal(room + "-100 -180 -100 -160 key 1", "0 160 -184", 0), 0);
+  EXPECT_EQ(crossingsToGoal(kRoom, "0 160 -184", 0), std::nullopt);
+  EXPECT_EQ(crossingsToGoal(kRoom + "-100 -180 -100 -160 key 2", "0 160 -184", 0), std::nullopt);
+  EXPECT_EQ(crossingsToGoal(kRoom + "-100 -180 -100 -160 key 1", "0 160 -184", 0), 0);
 }
 
 TEST(ReachTest, AHazardIsNoGround) {
@@ -98,24 +99,27 @@ TEST(ReachTest, APlayerStandsBetweenASteepSegmentAndAWall) {
 
 // The place before the door is visited without a crossing, when the door is still shut.
 TEST(ReachTest, WhoComesBackWithAKeyGoesThroughTheDoor) {
-  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n";
   const std::string key = "0 -180 0 -160 key 1\n";
-  const auto level = cubeLevel("0 0 -180 0", {kFlat + room, "", "", kFlat + key}, "0 160 -184");
+  const auto level = cubeLevel("0 0 -180 0", {kFlat + kRoom, "", "", kFlat + key}, "0 160 -184");
   EXPECT_EQ(Reach(*level, 4).crossingsToGoal(), 2);
 }
 
-TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheCheckpointBeforeIt) {
-  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n-100 -185 -100 -180 checkpoint\n";
-  const std::string trap = "-240 -200 240 -200 hazard\n200 -180 200 -150 key 1\n";
-  const auto level = cubeLevel("0 0 -180 0", {kFlat + room, "", "", trap}, "0 160 -184");
+const std::string kTrap = "-240 -200 240 -200 hazard\n200 -180 200 -150 key 1\n";
+
+TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheStart) {
+  const auto level = cubeLevel("0 0 -180 0", {kFlat + kRoom, "", "", kTrap}, "0 160 -184");
   EXPECT_EQ(Reach(*level, 4).crossingsToGoal(), 1);
 }
 
-TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheStart) {
-  const std::string room = "60 -200 60 -20 door 1\n60 -20 240 -20\n";
-  const std::string trap = "-240 -200 240 -200 hazard\n200 -180 200 -150 key 1\n";
-  const auto level = cubeLevel("0 0 -180 0", {kFlat + room, "", "", trap}, "0 160 -184");
-  EXPECT_EQ(Reach(*level, 4).crossingsToGoal(), 1);
+// The start is an edge farther away from the room, whose roof is the way to the key.
+TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheCheckpointBeforeIt) {
+  const auto crossings = [](const std::string& checkpoint) {
+    const std::string room = "60 -200 60 -140 door 1\n60 -140 200 -140\n200 -140 200 -200\n214 -172 236 -172\n";
+    const auto level = cubeLevel("1 0 -180 0", {kFlat + room + checkpoint, kFlat, "", kTrap}, "0 130 -184");
+    return Reach(*level, 4).crossingsToGoal();
+  };
+  EXPECT_EQ(crossings(""), 3);
+  EXPECT_EQ(crossings("-100 -185 -100 -180 checkpoint\n"), 2);
 }
 
 // Only the first numbers are told apart. Doors of others are open from the start, which allows more, not less.
