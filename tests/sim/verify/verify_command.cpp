@@ -17,8 +17,7 @@ namespace {
 void printJson(const std::string& path, const Verification& found, double timesRealTime) {
   std::printf(
       "{\"recording\":%s,\"firstTick\":%u,\"beginsInMidGame\":%s,\"ticks\":%u,\"players\":%u,\"hash\":\"%016llx\","
-      "\"complete\":%s,"
-      "\"timesRealTime\":%.0f%s}\n",
+      "\"complete\":%s,\"timesRealTime\":%.0f%s}\n",
       jsonText(path).c_str(), found.firstTick, found.beginsInMidGame ? "true" : "false", found.ticks, found.slots,
       static_cast<unsigned long long>(found.hash), found.fault.empty() ? "true" : "false", timesRealTime,
       found.divergence ? (",\"differs\":" + jsonOf(*found.divergence)).c_str() : "");
