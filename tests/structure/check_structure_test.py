@@ -97,8 +97,8 @@ class Purity(Tree):
 
 class Form(Tree):
     def test_long_file(self):
-        self.assert_allowed("levels/file.cpp", "\n" * 400)
-        self.assert_refused("tests/CMakeLists.txt", "\n" * 401, 401, "401 lines")
+        self.assert_allowed("levels/file.cpp", "\n" * 600)
+        self.assert_refused("tests/CMakeLists.txt", "\n" * 601, 601, "601 lines")
 
     def test_leftovers_and_machine_paths(self):
         self.assert_refused("docs/page.md", "FIX" "ME\n", 1, "leftover")
@@ -108,11 +108,6 @@ class Form(Tree):
     def test_headers_and_names(self):
         for file, why in (("file.h", "pragma once"), ("FileName.cpp", "snake_case"), ("a_test.cpp", "platon::a_test")):
             self.assert_refused(f"client/play/{file}", "// #pragma once\n", 1, why)
-
-    def test_full_folders(self):
-        for index in range(40):  # with the header of the folder 41 files
-            self.write(f"client/play/file_{index}.cpp", "\n")
-        self.assertEqual(list(check_tree(self.root)), ["client/play:1: 41 files, more than 40"])
 
     def test_top_level(self):
         self.write("extra/file.txt", "\n")
