@@ -49,6 +49,10 @@ ProgramOptions::Option& ProgramOptions::Option::existingFolder() {
   return option_->check(CLI::ExistingDirectory), *this;
 }
 
+ProgramOptions::Option& ProgramOptions::Option::texts(int least, int most) {
+  return option_->expected(least, most)->allow_extra_args(false), *this;
+}
+
 ProgramOptions::Option& ProgramOptions::Option::needs(const Option& other) {
   return option_->needs(other.option_), *this;
 }
@@ -104,6 +108,9 @@ bool ProgramOptions::read(int argc, const char* const* argv) {
       app_->exit(error);
       return false;
     }
+    const std::vector<std::string> unknown = app_->remaining();
+    const bool lacksCommand = app_->get_require_subcommand_min() > 0 && app_->get_subcommands().empty();
+    if (lacksCommand && !unknown.empty()) refuse(fmt::format("'{}' is no command", unknown.front()));
     refuse(error.what());
   }
 }

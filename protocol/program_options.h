@@ -38,6 +38,8 @@ class ProgramOptions {
     Option& range(double min, double max);
     Option& oneOf(const std::vector<int>& values);
     Option& existingFolder();
+    /// Takes so many texts, one after the other.
+    Option& texts(int least, int most);
     /// Refuses this option without the other one, or with it.
     Option& needs(const Option& other);
     Option& excludes(const Option& other);

@@ -125,5 +125,25 @@ TEST(ProgramCommands, OneMustBeGiven) {
   EXPECT_FALSE(draw.given());
 }
 
+TEST(ProgramCommands, AnUnknownOneIsNamed) {
+  ProgramOptions program("tool", "");
+  program.addCommand("draw", "Draws");
+  const char* const words[] = {"tool", "drew", "--json"};
+  try {
+    program.read(3, words);
+    FAIL();
+  } catch (const ProgramError& error) {
+    EXPECT_STREQ(error.what(), "'drew' is no command (see tool --help)");
+  }
+}
+
+TEST_F(ProgramOptionsTest, AnOptionMayTakeSeveralTexts) {
+  std::vector<std::string> pair;
+  program_.add("--pair", pair, "A pair").texts(1, 2);
+  EXPECT_TRUE(read({"--pair", "a", "b", "file"}));
+  EXPECT_EQ(pair, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(values_.files, std::vector<std::string>{"file"});
+}
+
 }  // namespace
 }  // namespace platon::program_options_test
