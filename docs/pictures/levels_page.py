@@ -18,14 +18,15 @@ INTRODUCTION = (
     "The game has {count} levels, in the order in which a server plays them: {solids}. {several} of them need two players. "
     "*The pictures show where to go. Play first.*\n\n"
     "Each level states how many crossings of edges every way to its goal needs, which `platon-level solve "
-    "--without-crossing` proves. The other figures are those of an easy way, which `tests/levels/record.sh` finds and "
+    "--without-crossing` proves. Some state which keys and plates every way uses (`# needs:`), which `platon-level solve "
+    "--without` proves: with the doors that they open shut, nobody gets to the goal. The other figures are those of an easy way, which `tests/levels/record.sh` finds and "
     "records, and which `platon-level solve --recorded` replays: presses of buttons; turns of down, which are returns to a "
     "face with another up; the ticks, of 60 a second, for which the tightest jump may be pressed; and the difficulty, which "
     "rises on each solid; the last levels are in the order in which they were drawn. Each press counts 1, each turn 4, and each tick that the tightest jump has less than 12 counts 1. "
     "`./platon test -L levels` checks all of this. [level_format.md](level_format.md) describes the files and the "
     "pictures.\n"
 )
-COLUMNS = "| players | crossings needed | on an easy way | presses | turns of down | tightest jump | seconds | difficulty |"
+COLUMNS = "| players | crossings needed | needs | on an easy way | presses | turns of down | tightest jump | seconds | difficulty |"
 
 
 class PageError(Exception):
@@ -44,7 +45,7 @@ def facts_of(tool, root, level):
 
 def head_of(level):
     """Title, players, crossings and idea of a level: what its text says before the solid."""
-    head = {"players": "1", "crossings": "0", "idea": []}
+    head = {"players": "1", "crossings": "0", "needs": "–", "idea": []}
     for line in level.read_text(encoding="utf-8").splitlines():
         if not line.strip():
             continue
@@ -52,7 +53,7 @@ def head_of(level):
             head["solid"] = line.split()[0].lower()
             break
         word, _, value = line[1:].strip().partition(":")
-        if word in ("title", "author", "players", "crossings"):
+        if word in ("title", "author", "players", "crossings", "needs"):
             head[word] = value.strip()
         else:
             head["idea"].append(line[1:].strip())
@@ -62,7 +63,7 @@ def head_of(level):
 def section(tool, root, level):
     head, facts = head_of(level), facts_of(tool, root, level)
     slack = "–" if facts["slack"] is None else f"{facts['slack']} ticks"
-    row = [head["players"], head["crossings"], facts["crossings"], facts["presses"], facts["turns"], slack,
+    row = [head["players"], head["crossings"], head["needs"], facts["crossings"], facts["presses"], facts["turns"], slack,
            f"{facts['ticks'] / 60:.1f}", facts["difficulty"]]
     title = head["title"]
     article = "an" if head["solid"][0] in "io" else "a"

@@ -1,6 +1,7 @@
 #include "levels/check/level_warnings.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <tuple>
 
@@ -44,13 +45,41 @@ void warnOfGoalAtWall(const Level& level, Diagnostics& diagnostics) {
   }
 }
 
+// Of the doors of a number, the first one of the text is named.
+void warnOfShutDoors(const Level& level, Diagnostics& diagnostics) {
+  std::map<std::uint8_t, TextPosition> doors;
+  for (const Element& element : level.elements) {
+    if (element.kind != ElementKind::kDoor || (level.doorNumbers & element.bit()) != 0) continue;
+    const TextPosition at = level.positions[element.face][element.segment];
+    const auto [first, isNew] = doors.try_emplace(element.number, at);
+    if (!isNew && at.line < first->second.line) first->second = at;
+  }
+  for (const auto& [number, at] : doors) {
+    const std::string text = std::to_string(number);
+    diagnostics.warning(
+        at, "door " + text + " never opens: draw a key " + text + " or a plate " + text + ", or make it a wall");
+  }
+}
+
+void warnOfMissingNeeds(const Level& level, Diagnostics& diagnostics) {
+  for (const ElementWord need : level.needs) {
+    const auto isMeant = [&](const Element& element) { return need.isOf(element); };
+    if (std::any_of(level.elements.begin(), level.elements.end(), isMeant)) continue;
+    diagnostics.warning(level.needsAt,
+                        "'needs:' names " + need.text() + ", which the level lacks: draw it, or do not name it");
+  }
+}
+
 }  // namespace
 
 std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level, const std::function<bool()>& stop) {
   Diagnostics diagnostics;
   warnOfEndlessFall(level, diagnostics);
   warnOfGoalAtWall(*level, diagnostics);
+  warnOfShutDoors(*level, diagnostics);
+  warnOfMissingNeeds(*level, diagnostics);
   warnOfNarrowGaps(*level, diagnostics);
+  warnOfUntouchedGoal(*level, diagnostics, stop);
   warnOfUntouchedLines(*level, diagnostics, stop);
   return diagnostics.take();
 }

@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t kMaxLinesOfALevel = 3000;
 constexpr std::int32_t kLargestFace = 2000;
 
+bool isSearched(const Level& level) { return lineCount(level) <= kMaxLinesOfALevel && level.faceSize <= kLargestFace; }
+
 }  // namespace
 
 std::size_t lineCount(const Level& level) {
@@ -17,8 +19,15 @@ std::size_t lineCount(const Level& level) {
   return lines;
 }
 
+void warnOfUntouchedGoal(const Level& level, Diagnostics& diagnostics, const std::function<bool()>& stop) {
+  if (!isSearched(level)) return;
+  const JumpHeights heights(level, {.stop = stop});
+  if (!heights.isStopped() && !heights.reachesGoal())
+    diagnostics.warning(level.goalAt, "nobody can touch the goal, whatever is pressed: open a way to it");
+}
+
 void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics, const std::function<bool()>& stop) {
-  if (lineCount(level) > kMaxLinesOfALevel || level.faceSize > kLargestFace) return;
+  if (!isSearched(level)) return;
   const JumpHeights heights(level, {.allDoorsOpen = true, .stop = stop});
   if (heights.isStopped()) return;
   for (std::uint32_t face = 0; face < level.segments.size(); ++face) {

@@ -19,9 +19,10 @@ namespace platon {
 class JumpHeights {
  public:
   struct Options {
-    bool allDoorsOpen = false;  ///< else a door is open once one of its keys or plates can be touched
-    std::function<bool()> stop =
-        {};  ///< asked every few milliseconds; when it returns true, the search ends unfinished
+    bool allDoorsOpen = false;              ///< else a door is open once one of its keys or plates can be touched
+    std::vector<ElementWord> without = {};  ///< keys, plates or checkpoints that are not touched
+    /// Asked every few milliseconds; when it returns true, the search ends unfinished.
+    std::function<bool()> stop = {};
   };
 
   JumpHeights(const Level& level, const Options& options);

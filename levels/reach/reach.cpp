@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace platon {
 namespace {
@@ -25,8 +26,11 @@ double reachCellSize(const UprightFaces& faces) {
 
 }  // namespace
 
-Reach::Reach(const Level& level, int maxCrossings)
-    : faces_(level), maxCrossings_(maxCrossings), start_(uprightOf(level.start, level.startAngle)) {
+Reach::Reach(const Level& level, int maxCrossings, std::vector<ElementWord> without)
+    : faces_(level),
+      maxCrossings_(maxCrossings),
+      without_(std::move(without)),
+      start_(uprightOf(level.start, level.startAngle)) {
   const double cellSize = reachCellSize(faces_);
   for (std::uint32_t node = 0; node < faces_.all().size(); ++node) {
     grids_.push_back(std::make_unique<ReachGrid>(level, faces_, node, cellSize));
@@ -46,18 +50,23 @@ Reach::Reach(const Level& level, int maxCrossings)
   }
 }
 
+bool Reach::isUsed(const Element& element) const {
+  return std::none_of(without_.begin(), without_.end(), [&](ElementWord word) { return word.isOf(element); });
+}
+
+bool Reach::opensDoors(const Element& element) const {
+  return (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) && isUsed(element);
+}
+
 void Reach::setDoors(const Level& level) {
   std::uint32_t doors = 0;
   std::uint32_t openers = 0;
   for (const Element& element : level.elements) {
     if (element.kind == ElementKind::kDoor) doors |= element.bit();
-    if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) openers |= element.bit();
-  }
-  if (level.players > 1) {
-    open_ = doors;
-    return;
+    if (opensDoors(element)) openers |= element.bit();
   }
   open_ = doors & openers;
+  if (level.players > 1) return;
   for (int numbers = 0; open_ != 0 && numbers < kMostNumbers; ++numbers) {
     openable_ |= open_ & -open_;
     open_ &= open_ - 1;
@@ -181,7 +190,7 @@ void Reach::visit(const ReachVisit& visit) {
   const ReachGrid::Cell& cell = (*grids_[visit.node])[visit.cell];
   if (cell.atGoal) toGoal_ = std::min(toGoal_.value_or(visit.crossings), visit.crossings);
   for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) {
-    if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint)
+    if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint && isUsed(*wall.element))
       respawn(visit.crossings, *wall.element, wall.node);
   }
   if (!cell.grounded && (!cell.slowed || (visit.isBelow && !cell.steep))) return;
@@ -205,8 +214,7 @@ void Reach::respawn(int crossings, const Element& checkpoint, std::uint32_t node
 std::uint32_t Reach::openedBy(const ReachVisit& visit) const {
   std::uint32_t opened = 0;
   for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) {
-    if (wall.element->kind == ElementKind::kKey || wall.element->kind == ElementKind::kPlate)
-      opened |= wall.element->bit();
+    if (opensDoors(*wall.element)) opened |= wall.element->bit();
   }
   return opened & openable_ & ~phase_.open;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "levels/reach/reach_flight.h"
@@ -15,7 +16,8 @@ namespace platon {
 /// Where a player can get, at most, and with how few crossings of edges. Over-approximates the game: a place that is
 /// not reached here with n crossings is not reached in the game with n crossings, whatever is pressed. So it proves
 /// that a level needs its crossings. A door is open from where one of its keys or plates was touched, and for ever; on
-/// levels for several players, and of more than kMostNumbers numbers those beyond, from the start.
+/// levels for several players, and of more than kMostNumbers numbers those beyond, from the start. A door without keys
+/// and plates is never open.
 ///
 /// What is assumed of a flight, by the rules of Player: it rises at most by the height of a jump above the ground from
 /// which it started, and by what a slope gives; it moves sideways at most at the run speed, or the slide speed after a
@@ -23,8 +25,9 @@ namespace platon {
 /// can stand there. reach_law_test searches the game itself for places that this denies.
 class Reach {
  public:
-  /// Searches for ways with at most `maxCrossings` crossings, below 255.
-  Reach(const Level& level, int maxCrossings);
+  /// Searches for ways with at most `maxCrossings` crossings, below 255, that touch none of the elements `without`:
+  /// keys, plates or checkpoints.
+  Reach(const Level& level, int maxCrossings, std::vector<ElementWord> without = {});
   /// As many numbers of doors are told apart: the time doubles with each.
   static constexpr int kMostNumbers = 4;
 
@@ -56,6 +59,8 @@ class Reach {
     Respawned respawned;
   };
 
+  bool isUsed(const Element& element) const;
+  bool opensDoors(const Element& element) const;
   void setDoors(const Level& level);
   void begin(std::uint32_t open);
   void resume(const std::vector<Resumed>& resumed);
@@ -73,6 +78,7 @@ class Reach {
   UprightFaces faces_;
   std::vector<std::unique_ptr<ReachGrid>> grids_;  // by node
   int maxCrossings_;
+  std::vector<ElementWord> without_;
   Vec start_;  // in the frame of node 0
   bool hasHazard_ = false;
   std::uint32_t open_ = 0;      // doors that are open from the start

@@ -30,7 +30,7 @@ std::optional<Solution> LevelSolver::solve(const Limits& limits) {
 
 std::optional<Solution> LevelSolver::solveAlone(const Limits& limits) {
   Situation start = begin();
-  WaySearch search(start.game, 0, {limits.states, limits.crossings, limits.pressCost, limits.stop});
+  WaySearch search(start.game, 0, limits);
   const bool isFound = search.find({});
   states_ = search.states();
   if (!isFound) return std::nullopt;
@@ -48,7 +48,9 @@ std::optional<Solution> LevelSolver::solveTogether(const Limits& limits) {
     const Situation& before = open.front();
     for (std::uint32_t slot = 0; slot < before.game.slots(); ++slot) {
       if (before.game.player(slot).arrived != 0) continue;
-      WaySearch search(before.game, slot, {limits.states - states_, limits.crossings, limits.pressCost, limits.stop});
+      Limits left = limits;
+      left.states -= states_;
+      WaySearch search(before.game, slot, left);
       search.findAll();
       if (limits.stop && limits.stop()) return std::nullopt;
       states_ += search.states();

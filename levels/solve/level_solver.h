@@ -17,12 +17,8 @@ namespace platon {
 /// Several take turns: one moves to a key, a plate or the goal while the others stand still.
 class LevelSolver {
  public:
-  struct Limits {
-    std::size_t states = 6000000;            ///< most states of all searches together
-    std::optional<std::uint32_t> crossings;  ///< most crossings of a player
-    std::uint32_t pressCost = 0;             ///< of each press of a button, in ticks
-    std::function<bool()> stop = {};         ///< asked every few milliseconds; when it returns true, nothing is found
-  };
+  /// As of one search, but the states are those of all searches together.
+  using Limits = WaySearch::Limits;
 
   explicit LevelSolver(std::shared_ptr<const Level> level) : level_(std::move(level)) {}
 

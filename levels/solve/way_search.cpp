@@ -103,10 +103,27 @@ bool WaySearch::simulate(std::uint32_t parent, std::uint8_t buttons) {
     game_.advance(inputs_);
     if (limits_.crossings && game_.world().entities()[slot_].crossings - crossingsBefore_ > *limits_.crossings)
       return false;
+    if (!keepsOff()) return false;
     noteTargets({parent, buttons, tick});
     if (game_.player(slot_).arrived != 0) return false;
   }
   return !game_.over();
+}
+
+// Whether the player has touched nothing of Limits::without.
+bool WaySearch::keepsOff() const {
+  const Level& level = game_.level();
+  const auto isTouched = [&](const Element& element) {
+    if (element.kind == ElementKind::kKey) return game_.isTaken(element);
+    if (element.kind == ElementKind::kPlate) return standsOn(game_, slot_, element);
+    const std::uint16_t checkpoint = game_.player(slot_).checkpoint;
+    return checkpoint != 0 && level.elements[checkpoint - 1] == element;
+  };
+  return limits_.without.empty() ||
+         std::none_of(level.elements.begin(), level.elements.end(), [&](const Element& element) {
+           const auto isMeant = [&](ElementWord word) { return word.isOf(element); };
+           return std::any_of(limits_.without.begin(), limits_.without.end(), isMeant) && isTouched(element);
+         });
 }
 
 void WaySearch::noteTargets(const Way& way) {

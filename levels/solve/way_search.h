@@ -27,9 +27,10 @@ class WaySearch {
     friend auto operator<=>(const Target&, const Target&) = default;  // NOLINT(modernize-use-nullptr)
   };
   struct Limits {
-    std::size_t states = 1500000;            ///< most states that are kept
+    std::size_t states = 6000000;            ///< most states that are kept
     std::optional<std::uint32_t> crossings;  ///< most crossings of a way
     std::uint32_t pressCost = 0;             ///< of each press of a button, in ticks
+    std::vector<ElementWord> without = {};   ///< keys, plates or checkpoints that a way does not touch
     std::function<bool()> stop = {};         ///< asked every few milliseconds by find and findAll; true: they end
   };
 
@@ -69,6 +70,7 @@ class WaySearch {
   void expand(std::uint32_t index);
   void keep(std::uint32_t parent, std::uint8_t buttons);
   bool simulate(std::uint32_t parent, std::uint8_t buttons);
+  bool keepsOff() const;
   void noteTargets(const Way& way);
   void note(const Target& target, const Way& way) { found_.emplace(target, way); }
   std::uint64_t signature() const;

@@ -43,6 +43,11 @@ int run(int argc, char** argv) {
                                .add("--without-crossing", solving.withoutCrossing,
                                     "Prove that no way to the goal has fewer than this many crossings of edges")
                                .range(0, 200);
+  std::vector<std::string> without;
+  const Option element =
+      solve.add("--without", without, "Prove that every way to the goal uses a key K or a plate K, or a checkpoint")
+          .placeholder("WORD K")
+          .texts(1, 2);
   const Option pressCost = solve
                                .add("--press-cost", solving.pressCost,
                                     "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
@@ -54,10 +59,17 @@ int run(int argc, char** argv) {
       .placeholder("FILE")
       .excludes(output)
       .excludes(crossings)
+      .excludes(element)
       .excludes(pressCost);
   solve.addFlag("--json", solving.json, "Print one JSON object to stdout");
 
   if (!program.read(argc, argv)) return 0;
+  if (!without.empty()) {
+    const std::string word = without.front() + (without.size() > 1 ? " " + without.back() : "");
+    solving.without = platon::needOf(word);
+    if (!solving.without)
+      program.refuse("--without: '" + word + "' is no key K or plate K with K from 0 to 31, and no checkpoint");
+  }
   if (solve.given()) return platon::solveLevel(solving);
   if (preview.given()) return platon::previewLevel(level, picture, width);
   return platon::checkLevels(files, json);

@@ -1,5 +1,6 @@
 #include "levels/tool/solve_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "levels/reach/jump_heights.h"
 #include "levels/reach/reach.h"
 #include "levels/solve/level_solver.h"
 #include "levels/solve/recorded_way.h"
@@ -30,8 +32,7 @@ std::string elementsText(const Level& level, const SolutionFacts& facts, bool js
   std::string text;
   for (const std::uint32_t index : facts.elements) {
     const Element& element = level.elements[index];
-    std::string name(wordOf(element.kind));
-    if (hasNumber(element.kind)) name += " " + std::to_string(element.number);
+    const std::string name = ElementWord{element.kind, element.number}.text();
     text += (text.empty() ? "" : json ? "," : ", ") + (json ? jsonText(name) : name);
   }
   return text;
@@ -102,28 +103,67 @@ int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options)
   return 0;
 }
 
-// Proves that no way has fewer crossings, or shows one, or says that it can do neither.
+// "key 1", "a checkpoint"; empty if none is excluded.
+std::string excludedText(const SolveOptions& options) {
+  if (!options.without) return "";
+  return (hasNumber(options.without->kind) ? "" : "a ") + options.without->text();
+}
+
+// What is to be proved: "every way to the goal uses key 1".
+std::string claimText(const SolveOptions& options) {
+  const std::string without = excludedText(options);
+  if (!options.withoutCrossing) return "every way to the goal uses " + without;
+  const std::string crossings = " has " + std::to_string(*options.withoutCrossing) + " crossings or more";
+  return "every way to the goal" + (without.empty() ? "" : " that does not use " + without) + crossings;
+}
+
+std::vector<ElementWord> excluded(const SolveOptions& options) {
+  return options.without ? std::vector{*options.without} : std::vector<ElementWord>();
+}
+
+bool isProved(const Level& level, const SolveOptions& options) {
+  if (options.withoutCrossing == 0 || !JumpHeights(level, {.without = excluded(options)}).reachesGoal()) return true;
+  return options.withoutCrossing && !Reach(level, *options.withoutCrossing - 1, excluded(options)).crossingsToGoal();
+}
+
+// A way that the claim denies.
+std::optional<Solution> findCounterexample(const std::shared_ptr<const Level>& level, const SolveOptions& options) {
+  LevelSolver::Limits limits;
+  limits.without = excluded(options);
+  if (options.withoutCrossing) limits.crossings = static_cast<std::uint32_t>(*options.withoutCrossing - 1);
+  auto way = LevelSolver(level).solve(limits);
+  const auto facts = way ? factsOf(level, *way) : std::nullopt;
+  const auto isUsed = [&](std::uint32_t index) { return options.without->isOf(level->elements[index]); };
+  // Players who wait may have touched what those who move keep off.
+  if (!facts || (options.without && std::any_of(facts->elements.begin(), facts->elements.end(), isUsed)))
+    return std::nullopt;
+  return way;
+}
+
+void printVerdict(const SolveOptions& options, bool proved, bool found) {
+  std::printf("{");
+  if (options.withoutCrossing) std::printf("\"withoutCrossing\":%d,", *options.withoutCrossing);
+  if (options.without) std::printf("\"without\":%s,", jsonText(options.without->text()).c_str());
+  std::printf("\"proved\":%s,\"found\":%s}\n", proved ? "true" : "false", found ? "true" : "false");
+}
+
+// Proves the claim, or shows a way that it denies, or says that it can do neither.
 int prove(const std::shared_ptr<const Level>& level, const SolveOptions& options) {
-  const int crossings = *options.withoutCrossing;
-  const bool proved = crossings == 0 || !Reach(*level, crossings - 1).crossingsToGoal();
-  if (options.json) std::printf("{\"withoutCrossing\":%d,\"proved\":%s}\n", crossings, proved ? "true" : "false");
+  const bool proved = isProved(*level, options);
+  const auto way = proved ? std::nullopt : findCounterexample(level, options);
+  if (options.json) printVerdict(options, proved, way.has_value());
   if (proved) {
-    if (!options.json) std::printf("proved: every way to the goal has %d crossings or more\n", crossings);
+    if (!options.json) std::printf("proved: %s\n", claimText(options).c_str());
     return 0;
   }
-  LevelSolver solver(level);
-  LevelSolver::Limits limits;
-  limits.crossings = static_cast<std::uint32_t>(crossings - 1);
-  const auto way = solver.solve(limits);
-  const auto facts = way ? factsOf(level, *way) : std::nullopt;
-  if (facts) {
-    std::fprintf(stderr, "platon-level: a way has %u crossings\n", facts->crossings);
-    if (!options.recording.empty() && !write(options.recording, recordWay(level, *way))) return kFailed;
-  } else {
-    std::fprintf(stderr,
-                 "platon-level: not proved: there may be a way with fewer than %d crossings, but none was found\n",
-                 crossings);
+  if (!way) {
+    std::fprintf(stderr, "platon-level: not proved that %s: no other way was found, but there may be one\n",
+                 claimText(options).c_str());
+    return kFailed;
   }
+  std::fprintf(stderr, "platon-level: a way was found%s: it has %u crossings\n",
+               options.without ? (" without " + excludedText(options)).c_str() : "", factsOf(level, *way)->crossings);
+  if (!options.recording.empty()) write(options.recording, recordWay(level, *way));
   return kFailed;
 }
 
@@ -134,7 +174,7 @@ int solveLevel(const SolveOptions& options) {
   if (!result) return kUsage;
   if (!result->level) return kInvalidLevel;
   if (!options.recorded.empty()) return tell(result->level, options);
-  return options.withoutCrossing ? prove(result->level, options) : search(result->level, options);
+  return options.withoutCrossing || options.without ? prove(result->level, options) : search(result->level, options);
 }
 
 }  // namespace platon

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "platon/exact/integer.h"
+#include "shared/game/level_number.h"
 
 namespace platon {
 namespace {
@@ -19,6 +20,23 @@ std::optional<ElementKind> elementKindOf(std::string_view word) {
   const auto found = std::find(kWords.begin(), kWords.end(), word);
   if (found == kWords.end()) return std::nullopt;
   return kElementKinds[static_cast<std::size_t>(found - kWords.begin())];
+}
+
+std::string ElementWord::text() const {
+  return std::string(wordOf(kind)) + (hasNumber(kind) ? " " + std::to_string(number) : "");
+}
+
+std::optional<ElementWord> needOf(std::string_view text) {
+  const std::size_t blank = std::min(text.find(' '), text.size());
+  const auto kind = elementKindOf(text.substr(0, blank));
+  if (kind == ElementKind::kCheckpoint && blank == text.size()) return ElementWord{*kind};
+  if ((kind != ElementKind::kKey && kind != ElementKind::kPlate) || blank == text.size()) return std::nullopt;
+  const std::string_view digits = text.substr(blank + 1);
+  LevelNumber number;
+  if (parseNumber(digits, kMaxDoorNumbers - 1, number) != NumberFault::kNone ||
+      digits.find_first_of("-.") != std::string_view::npos)
+    return std::nullopt;
+  return ElementWord{*kind, static_cast<std::uint8_t>(number.whole())};
 }
 
 const Element* findElement(std::span<const Element> elements, std::uint32_t face, std::uint32_t segment) {

@@ -10,12 +10,6 @@
 
 namespace platon {
 
-/// The word of a segment and its number.
-struct ElementWord {
-  ElementKind kind = ElementKind::kOneway;
-  std::uint8_t number = 0;
-};
-
 /// Reads what follows the four numbers of a segment: a word, and a number after `up`, `key`, `door` and `plate`.
 /// `words` is not empty; `edges` is the number of edges of a face. Reports every error and returns nothing then.
 std::optional<ElementWord> readElementWord(const LevelLine& line, std::span<const LevelToken> words,

@@ -105,6 +105,8 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   }
   level->players = draft.players.value_or(1);
   level->crossings = draft.crossings;
+  level->needs = std::move(draft.needs);
+  level->needsAt = draft.needsAt;
   level->title = std::move(draft.title);
   level->author = std::move(draft.author);
   level->text = text;

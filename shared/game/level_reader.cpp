@@ -92,6 +92,7 @@ void LevelReader::readComment(const LevelLine& line) {
   readName(line, "author:", draft_.author);
   readCount(line, "crossings:", 0, draft_.crossings);
   readCount(line, "players:", 1, draft_.players);
+  readNeeds(line);
 }
 
 void LevelReader::readName(const LevelLine& line, std::string_view key, std::string& name) {
@@ -124,6 +125,25 @@ void LevelReader::readCount(const LevelLine& line, std::string_view key, std::ui
                                 " and " + std::to_string(kMaxCount) + ", not " + quoted(value));
   } else {
     count = static_cast<std::uint32_t>(number.whole());
+  }
+}
+
+void LevelReader::readNeeds(const LevelLine& line) {
+  constexpr std::string_view key = "needs:";
+  const std::string_view content = trimmed(line.comment.substr(1));
+  if (!content.starts_with(key)) return;
+  const TextPosition at{line.number, line.commentColumn};
+  if (!draft_.needs.empty()) return diagnostics_->error(at, "second 'needs:': remove one of them");
+  draft_.needsAt = at;
+  for (std::size_t begin = key.size(), end = 0; end != content.size(); begin = end + 1) {
+    end = std::min(content.find(',', begin), content.size());
+    const std::string_view text = trimmed(content.substr(begin, end - begin));
+    const auto need = needOf(text);
+    if (!need) {
+      return diagnostics_->error(
+          at, "'needs:' must name keys, plates or checkpoints, such as 'key 1, checkpoint', not " + quoted(text));
+    }
+    draft_.needs.push_back(*need);
   }
 }
 

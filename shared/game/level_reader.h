@@ -42,6 +42,8 @@ struct LevelDraft {
   std::string author;
   std::optional<std::uint32_t> crossings;
   std::optional<std::uint32_t> players;
+  std::vector<ElementWord> needs;
+  TextPosition needsAt;
 };
 
 /// Reads a level text line by line and reports every error, except that it does not check whether the start is free.
@@ -71,6 +73,7 @@ class LevelReader {
   void readComment(const LevelLine& line);
   void readName(const LevelLine& line, std::string_view key, std::string& name);
   void readCount(const LevelLine& line, std::string_view key, std::uint32_t low, std::optional<std::uint32_t>& count);
+  void readNeeds(const LevelLine& line);
   void readHeader(const LevelLine& line);
   void readSolid(const LevelLine& line);
   std::optional<LevelPlace> readPlace(const LevelLine& line, std::string_view what, std::span<const Field> fields);

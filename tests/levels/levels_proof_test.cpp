@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "levels/reach/jump_heights.h"
 #include "levels/reach/reach.h"
 #include "levels/solve/level_solver.h"
 #include "platon/game/game.h"
@@ -23,16 +23,6 @@ const std::vector<std::string> kOneOfEachSolid{
     "levels/hexahedron/05_key_on_the_wall.level", "levels/tetrahedron/10_two_ups.level",
     "levels/octahedron/16_the_long_key.level", "levels/dodecahedron/22_one_turn_is_not_enough.level",
     "levels/icosahedron/30_four_downs.level"};
-
-// The level with each line of its text replaced by what change(number, line) returns.
-template <class Change>
-std::shared_ptr<const Level> changed(const Level& level, Change&& change) {
-  std::istringstream text(level.text);
-  std::string result;
-  std::string line;
-  for (int number = 1; std::getline(text, line); ++number) result += change(number, line) + "\n";
-  return loadLevel(result).level;
-}
 
 std::shared_ptr<const Level> withGoal(const Level& level, const EntityState& place) {
   char goal[80];
@@ -79,6 +69,24 @@ TEST_P(LevelProofTest, EveryWayNeedsTheCrossingsThatTheLevelStates) {
     EXPECT_TRUE(least && *least <= static_cast<int>(player.crossings))
         << "face " << player.part << " at " << player.position.x / 1024 << " " << player.position.y / 1024;
   });
+}
+
+TEST_P(LevelProofTest, EveryWayUsesWhatTheLevelStatesThatItNeeds) {
+  for (const ElementWord need : level_->needs) {
+    EXPECT_FALSE(JumpHeights(*level_, {.without = {need}}).reachesGoal())
+        << "see platon-level solve --without " << need.text() << " " << GetParam();
+  }
+}
+
+// So that a need that is stated by mistake would be found: it is not proved of what may be gone without.
+TEST_P(LevelProofTest, ANeedIsNotProvedWhenItsDoorsAreOpen) {
+  for (const ElementWord need : level_->needs) {
+    const auto open = changed(*level_, [&](int, const std::string& line) {
+      return line.ends_with(" door " + std::to_string(need.number)) ? "" : line;
+    });
+    ASSERT_TRUE(open);
+    EXPECT_TRUE(JumpHeights(*open, {.without = {need}}).reachesGoal()) << need.text();
+  }
 }
 
 class PlantedShortcutTest : public LevelProofTest {};

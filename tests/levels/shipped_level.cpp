@@ -1,6 +1,7 @@
 #include "tests/levels/shipped_level.h"
 
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/support/files.h"
@@ -14,6 +15,15 @@ ShippedLevel::ShippedLevel(const std::string& file) : name_(shippedName(file)) {
   if (!level_) throw std::runtime_error(file + " is invalid; see platon-level check");
   recording_ = readBytes("tests/levels/ways/" + name_ + ".recording");
   way_ = readRecordedWay(recording_);
+}
+
+std::shared_ptr<const Level> changed(const Level& level,
+                                     const std::function<std::string(int, const std::string&)>& change) {
+  std::istringstream text(level.text);
+  std::string result;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) result += change(number, line) + "\n";
+  return loadLevel(result).level;
 }
 
 }  // namespace platon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ class ShippedLevel {
   std::vector<std::uint8_t> recording_;
   RecordedWay way_;
 };
+
+/// The level with each line of its text replaced by what change(number, line) returns. Null if it is invalid then.
+std::shared_ptr<const Level> changed(const Level& level,
+                                     const std::function<std::string(int, const std::string&)>& change);
 
 /// Name of a level file for a test: without folder and extension.
 std::string shippedName(const std::string& file);

@@ -38,6 +38,31 @@ TEST(LevelWarningsTest, AGoalAtAWallIsNamed) {
       << "a key does not block";
 }
 
+TEST(LevelWarningsTest, ADoorThatNothingOpensIsNamed) {
+  const std::string doors = "-240 -200 240 -200\n-200 -200 -200 -140 door 2\n-150 -200 -150 -140 door 2\n";
+  const std::string warning = "7:1: door 2 never opens: draw a key 2 or a plate 2, or make it a wall";
+  EXPECT_EQ(warnings(doors), std::vector<std::string>{warning});
+  EXPECT_EQ(warnings(doors + "50 -180 60 -180 key 1"), std::vector<std::string>{warning});
+  EXPECT_EQ(warnings(doors + "50 -180 60 -180 key 2"), std::vector<std::string>());
+  EXPECT_EQ(warnings(doors + "20 -200 60 -200 plate 2"), std::vector<std::string>());
+}
+
+TEST(LevelWarningsTest, ANeedThatTheLevelLacksIsNamed) {
+  const auto warnings = [](const std::string& lines) {
+    std::vector<std::string> texts;
+    const auto level =
+        levelOf("# needs: key 1, checkpoint\nHEXAHEDRON\n0 0 -180 0\n0 100 -160\n480\n%\n-240 -200 240 -200\n" + lines +
+                "%\n%\n%\n%\n%\n");
+    for (const Diagnostic& one : warningsOf(level)) texts.push_back(std::to_string(one.line) + ": " + one.message);
+    return texts;
+  };
+  EXPECT_EQ(warnings("40 -180 60 -180 checkpoint\n50 -170 60 -170 key 1\n"), std::vector<std::string>());
+  EXPECT_EQ(
+      warnings("50 -170 60 -170 key 1\n"),
+      std::vector<std::string>{"1: 'needs:' names checkpoint, which the level lacks: draw it, or do not name it"});
+  EXPECT_EQ(warnings("50 -170 60 -170 key 2\n").size(), 2u);
+}
+
 TEST(LevelWarningsTest, AreInTheOrderOfTheText) {
   const auto all =
       warnings("-240 -200 240 -200\n-100 -240 100 -220\n-50 -180 -50 -140\n-27 -180 -27 -140", "0 100 -184");

@@ -36,6 +36,24 @@ TEST(UntouchedLinesTest, WhatALineHidesIsNamed) {
       << "in a box";
 }
 
+TEST(UntouchedGoalTest, AGoalInABoxOrBehindAShutDoorIsNamed) {
+  const auto warnings = [](const std::string& lines) {
+    Diagnostics diagnostics;
+    warnOfUntouchedGoal(*cubeLevel("0 0 -180 0", {kFloors + lines, kFloors, kFloors, kFloors}, "0 100 -100"),
+                        diagnostics);
+    std::vector<std::string> texts;
+    for (const Diagnostic& one : diagnostics.take()) texts.push_back(one.message);
+    return texts;
+  };
+  const std::vector<std::string> named{"nobody can touch the goal, whatever is pressed: open a way to it"};
+  const std::string sides = "\n50 -150 150 -150\n150 -150 150 -50\n150 -50 50 -50\n50 -50 50 -150";
+  EXPECT_EQ(warnings(""), std::vector<std::string>());
+  EXPECT_EQ(warnings(sides), named);
+  EXPECT_EQ(warnings(sides + " door 1"), named) << "without a key";
+  EXPECT_EQ(warnings(sides + " door 1\n95 -100 105 -100 key 1"), named) << "with its key behind it";
+  EXPECT_EQ(warnings(sides + " door 1\n-60 -180 -40 -180 key 1\n0 -150 40 -150"), std::vector<std::string>());
+}
+
 TEST(UntouchedLinesTest, WhatIsTooHighToJumpToIsNamed) {
   EXPECT_EQ(untouchedOn("\n-50 60 50 60"), std::vector<int>{7});
   EXPECT_TRUE(untouchedOn("\n-50 -140 50 -140").empty());

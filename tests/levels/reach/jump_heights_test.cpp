@@ -38,12 +38,25 @@ TEST(JumpHeightsTest, ADoorIsNoWayWithoutItsKey) {
   EXPECT_TRUE(JumpHeights(*level, {.allDoorsOpen = true}).reachesGoal());
 }
 
+TEST(JumpHeightsTest, WhatIsNotTouchedOpensNothing) {
+  const std::string opened = kFlat + kRoom + "-100 -180 -100 -160 key 1\n-60 -200 -20 -200 plate 1\n";
+  const auto level = cubeLevel("0 0 -180 0", {opened, kFlat, kFlat, kFlat}, "0 160 -184");
+  const ElementWord key{ElementKind::kKey, 1};
+  const ElementWord plate{ElementKind::kPlate, 1};
+  EXPECT_TRUE(JumpHeights(*level, {.without = {key}}).reachesGoal());
+  EXPECT_TRUE(JumpHeights(*level, {.without = {plate}}).reachesGoal());
+  EXPECT_FALSE(JumpHeights(*level, {.without = {key, plate}}).reachesGoal());
+}
+
 // A checkpoint that reaches through a wall, and a hazard that brings the player to its middle.
 TEST(JumpHeightsTest, ACheckpointAndAHazardLeadThroughAWall) {
   const std::string wall = "60 -200 60 0\n60 0 240 0\n240 0 240 -200\n";
   const std::string checkpoint = "20 -180 220 -180 checkpoint\n";
   EXPECT_FALSE(reachesGoal(wall + checkpoint, "0 160 -150"));
   EXPECT_TRUE(reachesGoal(wall + checkpoint + "-100 -200 -60 -200 hazard", "0 160 -150"));
+  const auto level = cubeLevel(
+      "0 0 -180 0", {kFlat + wall + checkpoint + "-100 -200 -60 -200 hazard", kFlat, kFlat, kFlat}, "0 160 -150");
+  EXPECT_FALSE(JumpHeights(*level, {.without = {{ElementKind::kCheckpoint}}}).reachesGoal());
 }
 
 // Cells grow with the face, until a jump rises by less than one of them.

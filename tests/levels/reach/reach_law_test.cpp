@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "levels/reach/jump_heights.h"
 #include "levels/reach/reach.h"
 #include "tests/levels/reach/explorer.h"
 #include "tests/shared/game/played_game.h"
@@ -206,6 +207,41 @@ TEST_P(ReachLawTest, NobodyGetsFarther) {
                        << " " << player.position.y / 1024.0 << ", up " << player.angle.centidegrees() / 100 << ", "
                        << crossings << " crossings, doors " << game.openDoors() << ", in Reach " << least.value_or(-1)
                        << "\n"
+                       << GetParam().text;
+    return holds;
+  });
+}
+
+std::vector<ElementWord> keysOf(const Level& level) {
+  std::vector<ElementWord> keys;
+  for (const Element& element : level.elements) {
+    if (element.kind == ElementKind::kKey) keys.push_back({element.kind, element.number});
+  }
+  return keys;
+}
+
+// Nor does one who touches no key, and so leaves their doors shut.
+TEST_P(ReachLawTest, NobodyGetsFartherWithoutKeys) {
+  const auto level = levelOf(GetParam().text);
+  const std::vector<ElementWord> keys = keysOf(*level);
+  if (keys.empty()) return;
+  const Reach reach(*level, kMostCrossings, keys);
+  const JumpHeights heights(*level, {.without = keys});
+  const int searched = std::min(kMostCrossings + 1, reach.crossingsToGoal().value_or(kMostCrossings + 1));
+  const auto isTaken = [&](const Game& game) {
+    return std::any_of(level->elements.begin(), level->elements.end(), [&](const Element& element) {
+      return element.kind == ElementKind::kKey && game.isTaken(element);
+    });
+  };
+  Explorer explorer(level, kSeed);
+  bool holds = true;
+  explorer.play(exploredTicks() / 4, [&](const Game& game, int crossings) {
+    if (!holds || isTaken(game)) return false;
+    const EntityState& player = game.world().entities()[0];
+    const auto least = reach.crossingsTo(player.part, player.position, player.angle);
+    holds = heights.reaches(player.part, player.position) && (crossings >= searched || (least && *least <= crossings));
+    EXPECT_TRUE(holds) << "tick " << game.tick() << ": face " << player.part << " at " << player.position.x / 1024.0
+                       << " " << player.position.y / 1024.0 << "\n"
                        << GetParam().text;
     return holds;
   });

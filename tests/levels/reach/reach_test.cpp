@@ -56,6 +56,26 @@ TEST(ReachTest, ASlideDownASteepSegmentLeadsOverAWiderGap) {
   for (const int side : {1, -1}) EXPECT_EQ(crossings(side, lineOf(side, -215, 200, -161, -240)), 0) << side;
 }
 
+TEST(ReachTest, WhatIsNotTouchedOpensNothing) {
+  const auto level =
+      cubeLevel("0 0 -180 0", {kFlat + kRoom + "-100 -180 -100 -160 key 1\n-60 -200 -20 -200 plate 1\n"}, "0 160 -184");
+  const ElementWord key{ElementKind::kKey, 1};
+  const ElementWord plate{ElementKind::kPlate, 1};
+  EXPECT_EQ(Reach(*level, 0, {key}).crossingsToGoal(), 0);
+  EXPECT_EQ(Reach(*level, 0, {plate}).crossingsToGoal(), 0);
+  EXPECT_EQ(Reach(*level, 0, {key, plate}).crossingsToGoal(), std::nullopt);
+}
+
+TEST(ReachTest, ADoorThatNothingOpensStaysShutForSeveralPlayersToo) {
+  const auto reaches = [](const std::string& lines) {
+    const auto level = levelOf("# players: 2\nHEXAHEDRON\n0 0 -180 0\n0 160 -184\n480\n%\n" + kFlat + kRoom + lines +
+                               "%\n%\n%\n%\n%\n");
+    return Reach(*level, 0).crossingsToGoal();
+  };
+  EXPECT_EQ(reaches(""), std::nullopt);
+  EXPECT_EQ(reaches("50 -100 60 -100 plate 1\n"), 0) << "wherever the plate is";
+}
+
 TEST(ReachTest, ACrossingIsCounted) {
   const auto level = cubeLevel("0 0 -180 0", {kFlat, kFlat, kFlat}, "2 0 -184");
   EXPECT_EQ(Reach(*level, 3).crossingsToGoal(), 2);

@@ -62,6 +62,21 @@ TEST(WaySearchTest, FindsKeysAndPlates) {
   EXPECT_EQ(played(start, search, {Target::Kind::kKey, 0}).openDoors() & 1u << 2, 1u << 2);
 }
 
+TEST(WaySearchTest, KeepsOffWhatItIsToGoWithout) {
+  const Game start =
+      standing("-80 -180 -80 -160 key 2\n60 -200 120 -200 plate 5\n160 -180 180 -180 checkpoint\n", "5 0 0");
+  const std::vector<ElementWord> words = {{ElementKind::kKey, 2}, {ElementKind::kPlate, 5}, {ElementKind::kCheckpoint}};
+  for (const ElementWord& word : words) {
+    WaySearch::Limits limits;
+    limits.without = {word};
+    limits.states = 20000;
+    WaySearch search(start, 0, limits);
+    search.findAll();
+    EXPECT_EQ(search.found().contains({Target::Kind::kKey, 0}), word != words[0]) << word.text();
+    EXPECT_EQ(search.found().contains({Target::Kind::kPlate, 1}), word != words[1]) << word.text();
+  }
+}
+
 TEST(WaySearchTest, FewerPressesMayCostMoreTicks) {
   const Game start =
       standing("-30 -150 -230 -150\n-200 -90 -100 -90\n40 -160 100 -160\n60 -100 150 -100\n", "0 120 -60");

@@ -18,12 +18,23 @@ constexpr const char* kCrossing =
 constexpr const char* kClosed =
     "HEXAHEDRON\n0 0 -180 0\n0 0 100\n480\n%\n-90 -200 90 -200\n-90 -200 -90 -90\n90 -200 90 -90\n-90 -90 90 -90\n"
     "%\n%\n%\n%\n%\n";
+// Only the key opens the door before the goal.
+constexpr const char* kDoor =
+    "HEXAHEDRON\n0 0 -180 0\n0 160 -184\n480\n%\n-240 -200 240 -200\n60 -200 60 -20 door 1\n60 -20 240 -20\n"
+    "240 -20 240 -200\n-100 -180 -100 -160 key 1\n%\n-240 -200 240 -200\n%\n-240 -200 240 -200\n%\n"
+    "-240 -200 240 -200\n%\n%\n";
+// A jump is as high as the goal, but not as wide.
+constexpr const char* kUnknown =
+    "HEXAHEDRON\n0 -300 -180 0\n0 300 -184\n1000\n%\n-400 -200 -200 -200\n200 -200 400 -200\n-480 -480 480 -480\n"
+    "-480 -480 -480 480\n-480 480 480 480\n480 -480 480 480\n%\n%\n%\n%\n%\n";
 
 class SolveCommandTest : public testing::Test {
  protected:
   void SetUp() override {
     writeText(folder_ / "crossing.level", kCrossing);
     writeText(folder_ / "closed.level", kClosed);
+    writeText(folder_ / "door.level", kDoor);
+    writeText(folder_ / "unknown.level", kUnknown);
     writeText(folder_ / "invalid.level", "HEXAHEDRON\n");
   }
   ProcessResult run(const std::string& arguments) {
@@ -80,14 +91,49 @@ TEST_F(SolveCommandTest, ProvesThatALevelNeedsItsCrossings) {
   EXPECT_NE(proved.output.find("proved: every way to the goal has 1 crossings or more"), std::string::npos);
   const ProcessResult refuted = run("crossing.level --without-crossing 2");
   EXPECT_EQ(refuted.exitCode, 1);
-  EXPECT_NE(refuted.errors.find("a way has 1 crossings"), std::string::npos) << refuted.errors;
-  EXPECT_EQ(run("closed.level --without-crossing 1 --json").output, "{\"withoutCrossing\":1,\"proved\":true}\n");
+  EXPECT_EQ(refuted.errors, "platon-level: a way was found: it has 1 crossings\n");
+  EXPECT_EQ(run("closed.level --without-crossing 1 --json").output,
+            "{\"withoutCrossing\":1,\"proved\":true,\"found\":false}\n");
+  EXPECT_EQ(run("crossing.level --without-crossing 2 --json").output,
+            "{\"withoutCrossing\":2,\"proved\":false,\"found\":true}\n");
+}
+
+TEST_F(SolveCommandTest, ProvesThatALevelNeedsItsKey) {
+  const ProcessResult proved = run("door.level --without key 1");
+  EXPECT_EQ(proved.exitCode, 0) << proved.errors;
+  EXPECT_EQ(proved.output, "proved: every way to the goal uses key 1\n");
+  const ProcessResult both = run("door.level --without key 1 --without-crossing 2 --json");
+  EXPECT_EQ(both.exitCode, 0) << both.errors;
+  EXPECT_EQ(both.output, "{\"withoutCrossing\":2,\"without\":\"key 1\",\"proved\":true,\"found\":false}\n");
+}
+
+TEST_F(SolveCommandTest, ShowsAWayWithoutWhatALevelDoesNotNeed) {
+  const ProcessResult refuted = run("crossing.level --without key 1 -o way.recording");
+  EXPECT_EQ(refuted.exitCode, 1);
+  EXPECT_EQ(refuted.errors, "platon-level: a way was found without key 1: it has 1 crossings\n");
+  EXPECT_EQ(run("crossing.level --recorded way.recording").exitCode, 0);
+}
+
+TEST_F(SolveCommandTest, SaysWhenItCanNeitherProveNorRefute) {
+  const ProcessResult unknown = run("unknown.level --without checkpoint");
+  EXPECT_EQ(unknown.exitCode, 1);
+  EXPECT_EQ(unknown.errors,
+            "platon-level: not proved that every way to the goal uses a checkpoint: no other way was found, but there "
+            "may be one\n");
+  EXPECT_EQ(run("unknown.level --without checkpoint --json").output,
+            "{\"without\":\"checkpoint\",\"proved\":false,\"found\":false}\n");
 }
 
 TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
   EXPECT_EQ(run("missing.level").exitCode, 2);
   EXPECT_EQ(run("invalid.level").exitCode, 3);
   EXPECT_EQ(run("crossing.level --without-crossing -1").exitCode, 2);
+  EXPECT_EQ(run("crossing.level --without door 1").errors,
+            "platon-level: --without: 'door 1' is no key K or plate K with K from 0 to 31, and no checkpoint (see "
+            "platon-level --help)\n");
+  EXPECT_EQ(run("crossing.level --without key").exitCode, 2);
+  EXPECT_EQ(run("crossing.level --without key 32").exitCode, 2);
+  EXPECT_EQ(run("crossing.level --without key 1 2").exitCode, 2);
   EXPECT_EQ(run("crossing.level -o missing/way.recording").exitCode, 1);
 }
 

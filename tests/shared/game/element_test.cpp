@@ -18,6 +18,25 @@ TEST(ElementTest, EveryKindHasAWordOfItsOwn) {
   EXPECT_EQ(elementKindOf("Door"), std::nullopt);
 }
 
+TEST(ElementTest, ANeedIsAKeyAPlateOrACheckpoint) {
+  EXPECT_EQ(needOf("key 0"), (ElementWord{ElementKind::kKey, 0}));
+  EXPECT_EQ(needOf("plate 31"), (ElementWord{ElementKind::kPlate, 31}));
+  EXPECT_EQ(needOf("checkpoint"), (ElementWord{ElementKind::kCheckpoint, 0}));
+  for (const char* text : {"", "key", "key ", "key 32", "key -0", "key 1.0", "key 1 ", "key  1", "Key 1", "keys 1",
+                           "checkpoint 1", "checkpoint ", "door 1", "up 1", "hazard", "key 1, key 2"})
+    EXPECT_EQ(needOf(text), std::nullopt) << text;
+  for (const char* text : {"key 7", "plate 31", "checkpoint"}) EXPECT_EQ(needOf(text)->text(), text);
+}
+
+TEST(ElementTest, AWordIsOfElementsOfItsKindAndNumber) {
+  Element element;
+  element.kind = ElementKind::kKey;
+  element.number = 3;
+  EXPECT_TRUE((ElementWord{ElementKind::kKey, 3}.isOf(element)));
+  EXPECT_FALSE((ElementWord{ElementKind::kKey, 2}.isOf(element)));
+  EXPECT_FALSE((ElementWord{ElementKind::kPlate, 3}.isOf(element)));
+}
+
 TEST(ElementTest, OnlyCheckpointsAndKeysNeverBlock) {
   for (const ElementKind kind : kElementKinds)
     EXPECT_EQ(canBlock(kind), kind != ElementKind::kCheckpoint && kind != ElementKind::kKey) << wordOf(kind);

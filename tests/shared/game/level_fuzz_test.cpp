@@ -48,7 +48,7 @@ class Mutator {
   std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
 
   std::string piece() {
-    static constexpr std::array<std::string_view, 31> pieces = {"%",
+    static constexpr std::array<std::string_view, 32> pieces = {"%",
                                                                 "\n",
                                                                 "\r",
                                                                 " ",
@@ -78,6 +78,7 @@ class Mutator {
                                                                 " plate 1",
                                                                 "# players: 9\n",
                                                                 "# crossings: 0\n",
+                                                                "# needs: key 1, plate 31, checkpoint\n",
                                                                 "\xef\xbb\xbf"};
     if (below(4) == 0) return std::string(1, static_cast<char>(below(256)));
     return std::string(pieces[below(pieces.size())]);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,21 @@ struct Element {
 
   friend bool operator==(const Element&, const Element&) = default;
 };
+
+/// The word of a segment and its number, as in level files: "key 1". Elements with the same belong together.
+struct ElementWord {
+  ElementKind kind = ElementKind::kOneway;
+  std::uint8_t number = 0;  ///< 0 after a word without one
+
+  bool isOf(const Element& element) const { return element.kind == kind && element.number == number; }
+  std::string text() const;
+
+  friend bool operator==(const ElementWord&, const ElementWord&) = default;
+};
+
+/// Reads what a way to the goal may need: "key K" or "plate K" with K below kMaxDoorNumbers, or "checkpoint". Nothing
+/// for any other text.
+std::optional<ElementWord> needOf(std::string_view text);
 
 /// What the players have touched in a tick.
 struct TouchedElements {

@@ -38,6 +38,8 @@ struct Level {
   std::uint32_t doorNumbers = 0;                     ///< bits of the numbers of all keys and plates
   std::uint32_t players = 1;                         ///< how many players the level needs, as its text states
   std::optional<std::uint32_t> crossings;  ///< how many crossings every way to the goal needs, as its text states
+  std::vector<ElementWord> needs;          ///< what every way to the goal uses, each of them, as its text states
+  TextPosition needsAt;                    ///< where the text states them
   std::string title;                       ///< at most 100 bytes of printable UTF-8, may be empty
   std::string author;                      ///< at most 100 bytes of printable UTF-8, may be empty
   std::string text;                        ///< content of the level file
