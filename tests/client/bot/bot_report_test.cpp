@@ -38,6 +38,31 @@ TEST(BotReport, AveragesOverTheBotsThatPlayedToTheEnd) {
   EXPECT_EQ(report.longestDatagramBytes, 1003u);  // maximum, not average
 }
 
+// Each of its own size, so that none is taken for another.
+TEST(BotReport, AveragesEveryStatisticOfTheLinkAndOfTheGame) {
+  BotResult low = played(1000, 0);
+  low.link = {10, 1, -2, 4, 8};
+  BotResult high = played(1000, 0);
+  high.link = {30, 5, 8, 14, 28};
+  high.prediction.mispredicted = 6;
+  high.prediction.missedInputs = 10;
+  high.round.desyncs = 12;
+  high.round.resyncs = 14;
+  high.resumes = 16;
+  const std::vector<BotResult> bots{low, high};
+  const BotReport report = makeReport(bots);
+  EXPECT_DOUBLE_EQ(report.rttMs, 20);
+  EXPECT_DOUBLE_EQ(report.jitterMs, 3);
+  EXPECT_DOUBLE_EQ(report.slackTicks, 3);
+  EXPECT_DOUBLE_EQ(report.downLossPercent, 9);
+  EXPECT_DOUBLE_EQ(report.upLossPercent, 18);
+  EXPECT_DOUBLE_EQ(report.mispredictedPer1000Ticks, 3);
+  EXPECT_DOUBLE_EQ(report.missedInputsPer1000Ticks, 5);
+  EXPECT_DOUBLE_EQ(report.desyncs, 6);
+  EXPECT_DOUBLE_EQ(report.resyncs, 7);
+  EXPECT_DOUBLE_EQ(report.resumes, 8);
+}
+
 TEST(BotReport, IsZeroWithoutAnyBot) {
   const BotReport report = makeReport({});
   EXPECT_EQ(report.connected, 0u);

@@ -40,6 +40,28 @@ TEST(FlightEnvelopeTest, NoFallIsSlower) {
   }
 }
 
+// Up a ramp of 45 degrees, over its end, and a jump at the last moment or before.
+TEST(FlightEnvelopeTest, ARunUpASlopeGivesAHigherJumpButNoneThatIsHigher) {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  double most = 0;
+  for (int late = 0; late <= envelope.lateTicks(); ++late) {
+    PlayedGame played(levelOf("HEXAHEDRON\n0 -400 20 0\n5 0 0\n2000\n%\n-600 0 0 0\n0 0 200 200\n%\n%\n%\n%\n%\n"));
+    played.run(60, kNone);
+    while (played.grounded()) played.run(1, Input::kRight);
+    const std::int32_t ground = played.position().y;
+    played.run(late, Input::kRight);
+    std::int32_t top = ground;
+    for (int tick = 0; tick < 40; ++tick) {
+      played.run(1, Input::kRight | Input::kJump);
+      top = std::max(top, played.position().y);
+    }
+    most = std::max(most, (top - ground) / 1024.0 - envelope.jumpHeight());
+  }
+  EXPECT_GT(most, 1);
+  EXPECT_LE(most, envelope.slopeGain() + envelope.pushGain());
+  EXPECT_GT(most, envelope.pushGain()) << "or it would be enough";
+}
+
 TEST(FlightEnvelopeTest, AFallFromAGreatHeightTakesAsLongAsInTheGame) {
   PlayedGame played(levelOf("HEXAHEDRON\n0 0 4000 0\n5 0 0\n10000\n%\n%\n%\n%\n%\n%\n"));
   played.run(1, kNone);
