@@ -111,7 +111,7 @@ void NetworkClient::fail(const Session::Ending& failure, Moment now) {
     memory_ = session_->memory();
   }
   if (retries) {
-    if (!recovery_.outage) recovery_.outage = failure.reason;
+    if (!recovery_.outage || isRefused()) recovery_.outage = failure.reason;
     ++recovery_.failed;
     const Moment pause = pauseAfterFailure();
     dropConnection();
@@ -121,6 +121,11 @@ void NetworkClient::fail(const Session::Ending& failure, Moment now) {
     ending_ = failure.reason;
     state_ = Ended();
   }
+}
+
+// Whether the server has answered the present attempt to join with a refusal.
+bool NetworkClient::isRefused() const {
+  return is<InSession>() ? session_->ending() && !session_->welcome() : connection_ && connection_->refused();
 }
 
 // No pause after an unanswered attempt, because its timeout is long enough.

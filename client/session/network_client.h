@@ -60,7 +60,8 @@ class NetworkClient {
   std::optional<ServerAddress> next() const;
   /// Whether the match has ended because the server asks for a password, or for another one.
   bool asksPassword() const { return asksPassword_; }
-  /// Why the match is interrupted, a sentence for the player; empty while it is not.
+  /// Why the match is interrupted, or why the server refuses to let the player go on, a sentence for the player; empty
+  /// while it is not.
   const std::optional<std::string>& outage() const { return recovery_.outage; }
   /// How often the client resumed its player or rejoined after an outage.
   std::uint32_t resumes() const { return resumes_; }
@@ -116,6 +117,7 @@ class NetworkClient {
   void checkConnecting(Moment now);
   void checkSession(Moment now);
   bool mayRetry(const Session::Ending& failure) const;
+  bool isRefused() const;
   void fail(const Session::Ending& failure, Moment now);
   Moment pauseAfterFailure();
   void dropConnection();
