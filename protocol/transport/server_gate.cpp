@@ -93,10 +93,11 @@ std::optional<ServerGate::Received> ServerGate::takeSealed(const Datagram& datag
 }
 
 // The client sends from another address, for instance because a router gave it another port. Answers go there only
-// after it has shown that it also receives there; otherwise anybody could direct them at others.
+// after it has shown that it also receives there; otherwise anybody could direct them at others. A household that is
+// full gets no challenge: its limit would be worth nothing if sessions could begin elsewhere.
 void ServerGate::checkPath(Session& session, const SocketAddress& sender, Moment now) {
   if (session.path && now - session.path->challengedAt < kChallengeInterval) return;
-  if (banCheck_ && banCheck_(sender.ip)) return;
+  if ((banCheck_ && banCheck_(sender.ip)) || !hasRoomFor(sender.ip, &session)) return;
   if (!session.path || session.path->address != sender) {
     session.path = Path{sender, {}, now};
     randombytes_buf(session.path->challenge.data(), session.path->challenge.size());
@@ -115,6 +116,10 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
   session.path.reset();
   if (banCheck_ && banCheck_(sender.ip)) {  // since the challenge
     ++counters_.banned;
+    return;
+  }
+  if (!hasRoomFor(sender.ip, &session) || (moveCheck_ && !moveCheck_(session.id, sender.ip))) {
+    ++counters_.full;
     return;
   }
   session.address = sender;

@@ -42,7 +42,8 @@ struct GateCounters {
   std::uint64_t cookie = 0;       ///< Open with an invalid cookie, or one that was used before
   std::uint64_t handshakes = 0;   ///< Open beyond the budget of its address or of the server
   std::uint64_t password = 0;     ///< Open with a wrong password
-  std::uint64_t full = 0;         ///< Open when no session was free, or too many were from its address
+  std::uint64_t full = 0;         ///< Open when no session was free; Open from, or answers to a challenge at, an
+                                  ///< address whose household or site has no room
   std::uint64_t banned = 0;       ///< Open from, or answers to a challenge at, a banned address
   std::uint64_t queries = 0;      ///< beyond the budget
   std::uint64_t seal = 0;         ///< sealed datagrams that are forged, damaged, repeated, or of no session
@@ -97,6 +98,10 @@ class ServerGate {
     banCheck_ = std::move(check);
     banNotice_ = std::move(notice);
   }
+  /// Decides whether a session may move to another address, at which it has shown that it receives. If so, it is there
+  /// from then on. Without it, a session may move wherever the limits of sessions allow.
+  using MoveCheck = std::function<bool(SessionId, const IpAddress&)>;
+  void setMoveCheck(MoveCheck check) { moveCheck_ = std::move(check); }
   /// What queries are told. `version`, `nonce`, `identity` and `needsPassword` are filled in.
   void setInfo(Info info) { info_ = std::move(info); }
 
@@ -138,7 +143,7 @@ class ServerGate {
               Moment now);
   void sendPlain(const SocketAddress& receiver, ByteSpan bytes, Moment now);
   bool takeBudget(const IpAddress& client, Moment now);
-  bool hasRoomFor(const IpAddress& client) const;
+  bool hasRoomFor(const IpAddress& client, const Session* moving = nullptr) const;
   const Session* find(SessionId id) const;
 
   std::unique_ptr<DatagramSocket> socket_;
@@ -154,6 +159,7 @@ class ServerGate {
   std::uint32_t nextNumber_;
   BanCheck banCheck_;
   BanNotice banNotice_;
+  MoveCheck moveCheck_;
   Info info_;
   std::size_t left_ = kMaxDatagramsPerRound;  // datagrams of this round
   GateCounters counters_;

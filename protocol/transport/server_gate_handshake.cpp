@@ -116,11 +116,13 @@ bool ServerGate::takeBudget(const IpAddress& client, Moment now) {
   return within && handshakes_.take(1, now);
 }
 
-bool ServerGate::hasRoomFor(const IpAddress& client) const {
+// Whether a session, or `moving`, may be at this address.
+bool ServerGate::hasRoomFor(const IpAddress& client, const Session* moving) const {
   if (client.isLoopback()) return true;
-  const auto countOf = [this](auto&& isSame) {
-    return std::count_if(sessions_.begin(), sessions_.end(),
-                         [&](const Session& session) { return session.id.number != 0 && isSame(session.address.ip); });
+  const auto countOf = [this, moving](auto&& isSame) {
+    return std::count_if(sessions_.begin(), sessions_.end(), [&](const Session& session) {
+      return session.id.number != 0 && &session != moving && isSame(session.address.ip);
+    });
   };
   const std::int64_t most = settings_.sessionsPerHousehold;
   return countOf([&](const IpAddress& other) { return other.household() == client.household(); }) < most &&

@@ -40,7 +40,7 @@ bool IpAddress::isIpv4() const { return std::equal(kIpv4Prefix.begin(), kIpv4Pre
 bool IpAddress::isLoopback() const {
   IpAddress ipv6;
   ipv6.bytes.back() = 1;
-  return *this == ipv6 || *this == parse("127.0.0.1");
+  return *this == ipv6 || *this == ofIpv4({127, 0, 0, 1});
 }
 
 bool IpAddress::isThisMachine() const { return isLoopback() || (isIpv4() && ipv4()[0] == 127); }

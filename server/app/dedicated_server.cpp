@@ -123,6 +123,7 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
     const std::size_t room = host_.room(client);
     return room - std::min(room, kReservedRoom);
   });
+  host_.setMoveCheck([this](ClientId client, const IpAddress& to) { return match_.move(client, to); });
   match_.setRoundTrip([this](ClientId client) { return host_.roundTripMs(client); });
   match_.keepBestTimes(bestTimes_);
   if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
@@ -181,8 +182,9 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
     return sendLast(event.client, encode(Bye{ByeCode::kRemoved, "your client sent a malformed message"}), now);
   }
   const bool wasPlaying = match_.isPlaying(event.client);
-  if (!wasPlaying && refusesBanned(event, now)) return;
-  match_.receive(event.client, *message, event.address);
+  const IpAddress address = host_.addressOf(event.client);
+  if (!wasPlaying && refusesBanned(event.client, address, now)) return;
+  match_.receive(event.client, *message, address);
   const bool isPlaying = match_.isPlaying(event.client);
   if (isPlaying) host_.admit(event.client);
   if (wasPlaying && !isPlaying) host_.close(event.client, momentOf(now));  // a connection serves one player only
@@ -194,12 +196,12 @@ void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> me
 }
 
 // The address of a client may have been banned after the client had connected.
-bool DedicatedServer::refusesBanned(const HostEvent& event, TimePoint now) {
-  const Ban* const ban = banOf(event.address);
+bool DedicatedServer::refusesBanned(ClientId client, const IpAddress& address, TimePoint now) {
+  const Ban* const ban = banOf(address);
   if (!ban) return false;
   ++bannedClients_;
-  logBanned(event.address, *ban);
-  sendLast(event.client, encode(Refused{RefusalCode::kOther, refusalOf(*ban)}), now);
+  logBanned(address, *ban);
+  sendLast(client, encode(Refused{RefusalCode::kOther, refusalOf(*ban)}), now);
   return true;
 }
 

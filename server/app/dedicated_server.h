@@ -100,7 +100,7 @@ class DedicatedServer {
   void receive(TimePoint now);
   void handle(const HostEvent& event, TimePoint now);
   void sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now);
-  bool refusesBanned(const HostEvent& event, TimePoint now);
+  bool refusesBanned(ClientId client, const IpAddress& address, TimePoint now);
   const Ban* banOf(const IpAddress& address) const;
   void logBanned(const IpAddress& address, const Ban& ban);
   void send(TimePoint now);

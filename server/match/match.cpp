@@ -37,8 +37,6 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
 void Match::setServerName(std::string_view name) { settings_.serverName = visibleLabel(name); }
 
 void Match::receive(ClientId client, const ToServer& message, const IpAddress& address) {
-  const auto known = players_.find(client);
-  if (known != players_.end()) known->second.setAddress(address);
   if (const Hello* hello = std::get_if<Hello>(&message)) return handleHello(client, *hello, address);
   std::visit([this, client](const auto& body) { handle(client, body); }, message);
 }
@@ -48,7 +46,6 @@ void Match::handleHello(ClientId client, const Hello& hello, const IpAddress& ad
   const std::uint64_t origin = address.household();
   const std::variant<MatchPlayer*, Refused> admitted = admit(client, hello, origin);
   if (MatchPlayer* const* player = std::get_if<MatchPlayer*>(&admitted)) {
-    (*player)->setOrigin(origin);
     (*player)->setAddress(address);
     return evictDisconnected(origin, 0);
   }
@@ -59,9 +56,10 @@ void Match::handleHello(ClientId client, const Hello& hello, const IpAddress& ad
 
 std::variant<MatchPlayer*, Refused> Match::admit(ClientId client, const Hello& hello, std::uint64_t origin) {
   if (const std::optional<Refused> refused = wrongVersion(hello)) return *refused;
-  if (MatchPlayer* resumed = resume(client, hello)) return resumed;
-  if (draining_) return draining_->refusal;
-  if (connectedOf(origin) >= settings_.playersPerOrigin) return refuseOrigin();
+  const MatchPlayer* const known = hello.token ? playerWith(*hello.token) : nullptr;
+  if (known == nullptr && draining_) return draining_->refusal;
+  if (isFull(origin, known)) return refuseOrigin();
+  if (known != nullptr) return &resume(client, hello, *known);
   evictDisconnected(origin, 1);
   if (const std::optional<std::uint32_t> slot = freeSlot()) return &join(client, hello, *slot);
   return refuseFull();
@@ -73,10 +71,26 @@ bool Match::isClosing(ClientId client) const {
                      [client](const Outgoing& message) { return message.last && message.client == client; });
 }
 
-std::int64_t Match::connectedOf(std::uint64_t origin) const {
+// Whether an origin has no room for another player, or for this one, which may be there already.
+bool Match::isFull(std::uint64_t origin, const MatchPlayer* arriving) const {
+  return connectedOf(origin, arriving) >= settings_.playersPerOrigin;
+}
+
+std::int64_t Match::connectedOf(std::uint64_t origin, const MatchPlayer* except) const {
   if (origin == 0) return 0;
-  return std::count_if(players_.begin(), players_.end(),
-                       [origin](const auto& entry) { return entry.second.origin() == origin; });
+  return std::count_if(players_.begin(), players_.end(), [origin, except](const auto& entry) {
+    return entry.second.origin() == origin && &entry.second != except;
+  });
+}
+
+bool Match::move(ClientId client, const IpAddress& address) {
+  const auto found = players_.find(client);
+  if (found == players_.end()) return true;
+  const std::uint64_t origin = address.household();
+  if (isFull(origin, &found->second)) return false;
+  found->second.setAddress(address);
+  evictDisconnected(origin, 0);
+  return true;
 }
 
 Refused Match::refuseOrigin() const {
@@ -126,31 +140,39 @@ MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot
   return player;
 }
 
-MatchPlayer* Match::resume(ClientId client, const Hello& hello) {
-  std::optional<MatchPlayer> known = hello.token ? extractPlayer(*hello.token) : std::nullopt;
-  if (!known) return nullptr;
-  MatchPlayer& player = players_.emplace(client, std::move(*known)).first->second;
+MatchPlayer& Match::resume(ClientId client, const Hello& hello, const MatchPlayer& known) {
+  MatchPlayer& player = players_.emplace(client, extractPlayer(known)).first->second;
   player.resume(names_.rename(player.slot(), hello.name));
   sendWelcome(client, player, hello);
   addEvent(MatchEvent::Kind::kResumed, client, player.slot(), player.name());
-  return &player;
+  return player;
 }
 
-// Also takes a player that still counts as connected: its client may reconnect before the server detects the loss.
-std::optional<MatchPlayer> Match::extractPlayer(const SessionToken& token) {
-  for (auto entry = disconnected_.begin(); entry != disconnected_.end(); ++entry) {
-    if (!entry->player.hasToken(token)) continue;
+// Also finds a player that still counts as connected: its client may reconnect before the server detects the loss.
+const MatchPlayer* Match::playerWith(const SessionToken& token) const {
+  for (const Disconnected& entry : disconnected_) {
+    if (entry.player.hasToken(token)) return &entry.player;
+  }
+  for (const auto& [client, player] : players_) {
+    if (player.hasToken(token)) return &player;
+  }
+  return nullptr;
+}
+
+// Takes a player from its client, or from the disconnected ones.
+MatchPlayer Match::extractPlayer(const MatchPlayer& known) {
+  const auto entry = std::find_if(disconnected_.begin(), disconnected_.end(),
+                                  [&known](const Disconnected& each) { return &each.player == &known; });
+  if (entry != disconnected_.end()) {
     MatchPlayer player = std::move(entry->player);
     disconnected_.erase(entry);
     return player;
   }
-  for (auto& [client, player] : players_) {
-    if (!player.hasToken(token)) continue;
-    const Bye bye{ByeCode::kRemoved, "your player was resumed over another connection"};
-    outgoing_.push_back({client, true, true, encode(bye)});
-    return std::move(players_.extract(client).mapped());
-  }
-  return std::nullopt;
+  const auto connected =
+      std::find_if(players_.begin(), players_.end(), [&known](const auto& each) { return &each.second == &known; });
+  const Bye bye{ByeCode::kRemoved, "your player was resumed over another connection"};
+  outgoing_.push_back({connected->first, true, true, encode(bye)});
+  return std::move(players_.extract(connected).mapped());
 }
 
 // Sends all that a client needs to play: Welcome, level text, state; with the next tick, the names.

@@ -80,10 +80,13 @@ class Match {
   Match(LevelRotation rotation, MatchSettings settings);
 
   /// Handles a message from a client that is at this address; its first message must be Hello. The origin of a player
-  /// is the household of the address that its Hello came from. When an origin has more players than allowed, its player
-  /// that has been disconnected longest is removed; when all of them are connected, the client is refused. Origin 0 has
-  /// no limit of players.
+  /// is the household of its address. When an origin has more players than allowed, its player that has been
+  /// disconnected longest is removed; when all of them are connected, the client is refused, also when it wishes to
+  /// resume. Origin 0 has no limit of players.
   void receive(ClientId client, const ToServer& message, const IpAddress& address = {});
+  /// Moves the player of a client, if it has one, to another address. Returns false, and moves nothing, if all players
+  /// that the origin there may have are connected.
+  bool move(ClientId client, const IpAddress& address);
   /// Sets who knows how many reliable messages a client can be sent in this tick; without it, any number. Chunks wait
   /// for a client that does not keep up.
   void setRoom(std::function<std::size_t(ClientId)> room) { room_ = std::move(room); }
@@ -182,12 +185,14 @@ class Match {
 
   /// The player of the client, or why it gets none.
   std::variant<MatchPlayer*, Refused> admit(ClientId client, const Hello& hello, std::uint64_t origin);
-  std::int64_t connectedOf(std::uint64_t origin) const;
+  bool isFull(std::uint64_t origin, const MatchPlayer* arriving) const;
+  std::int64_t connectedOf(std::uint64_t origin, const MatchPlayer* except = nullptr) const;
   Refused refuseOrigin() const;
   Refused refuseFull() const;
   MatchPlayer& join(ClientId client, const Hello& hello, std::uint32_t slot);
-  MatchPlayer* resume(ClientId client, const Hello& hello);
-  std::optional<MatchPlayer> extractPlayer(const SessionToken& token);
+  MatchPlayer& resume(ClientId client, const Hello& hello, const MatchPlayer& known);
+  const MatchPlayer* playerWith(const SessionToken& token) const;
+  MatchPlayer extractPlayer(const MatchPlayer& known);
   void sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello);
   void expireDisconnected();
   void removeDisconnected(std::vector<Disconnected>::iterator disconnected);

@@ -44,13 +44,14 @@ class MatchPlayer {
   const std::string& name() const { return name_; }
   /// Whether the player joined with this token.
   bool hasToken(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
-  /// Address that the last message of the client came from.
+  /// Address that the client is at, or was at last.
   const IpAddress& address() const { return address_; }
-  void setAddress(const IpAddress& address) { address_ = address; }
-  /// Household of the address that its Hello came from. It stays when the client moves to another address, or one
-  /// household could gather more players than it may have.
+  /// Household of this address.
   std::uint64_t origin() const { return origin_; }
-  void setOrigin(std::uint64_t origin) { origin_ = origin; }
+  void setAddress(const IpAddress& address) {
+    address_ = address;
+    origin_ = address.household();
+  }
   /// Whether a client can resume the player, that is, whether it joined with a token.
   bool canResume() const { return token_.has_value(); }
 

@@ -157,7 +157,7 @@ void Host::handle(const ENetEvent& event) {
     packets_.emplace_back(event.packet, enet_packet_destroy);
     if (!connection.client) return;
     const ByteSpan bytes(event.packet->data, event.packet->dataLength);
-    events_.push_back({*connection.client, false, bytes, gate_.addressOf(connection.session)});
+    events_.push_back({*connection.client, false, bytes});
   }
 }
 
@@ -205,7 +205,7 @@ void Host::end(std::size_t index) {
   Connection& connection = connections_[index];
   if (connection.client) {
     indexes_.erase(*connection.client);
-    events_.push_back({*connection.client, true, {}, {}});
+    events_.push_back({*connection.client, true, {}});
   }
   enet_peer_reset(&host_->peers[index]);
   gate_.close(connection.session);
@@ -258,6 +258,21 @@ void Host::flush(Moment now) {
   const EnetScope scope(*this, now);
   enet_host_flush(host_.get());
   gate_.flush(now);
+}
+
+IpAddress Host::addressOf(ClientId client) const {
+  const auto index = indexOf(client);
+  return index ? gate_.addressOf(connections_[*index].session) : IpAddress{};
+}
+
+// A session that is no client yet may move.
+void Host::setMoveCheck(std::function<bool(ClientId, const IpAddress&)> check) {
+  gate_.setMoveCheck([this, check = std::move(check)](SessionId session, const IpAddress& address) {
+    const auto found = std::find_if(connections_.begin(), connections_.end(), [session](const Connection& connection) {
+      return connection.client && connection.session == session;
+    });
+    return found == connections_.end() || check(*found->client, address);
+  });
 }
 
 bool Host::isOpen(ClientId client) const {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,7 +48,6 @@ struct HostEvent {
   ClientId client = 0;
   bool disconnected = false;  ///< the connection has ended; otherwise `bytes` is a message
   ByteSpan bytes;             ///< valid until the next call of `Host::service`
-  IpAddress address;          ///< of a message: where the client is
 };
 
 /// The server's end of all connections: ENet behind a gate. ENet trusts its peers, so every content is checked before
@@ -92,6 +92,10 @@ class Host : private EnetPort {
   SocketAddress address() const { return gate_.socket().address(); }
   ServerGate& gate() { return gate_; }
   const ServerGate& gate() const { return gate_; }
+  /// Where the client is now; `IpAddress{}` if it is disconnected.
+  IpAddress addressOf(ClientId client) const;
+  /// Decides whether a client may move to another address (ServerGate::MoveCheck).
+  void setMoveCheck(std::function<bool(ClientId, const IpAddress&)> check);
   /// False if the client is disconnected or its connection is closing.
   bool isOpen(ClientId client) const;
   /// Whether no client is connected or connecting.

@@ -207,6 +207,7 @@ void HandshakeWorld::checkSessions(const SocketAddress& from, std::size_t before
     require(gate_->isOpen(session.id) || session.closed || !session.confirmed, "a confirmed session has ended");
     if (!gate_->isOpen(session.id)) continue;
     require(!session.closed, "a closed session is open again");
+    require(isWithinHousehold(gate_->addressOf(session.id)), "a household has more sessions than it may have");
     if (gate_->addressOf(session.id) == session.address.ip) continue;
     const auto asked = std::find_if(
         sent().begin(), sent().begin() + static_cast<std::ptrdiff_t>(before),
@@ -216,6 +217,14 @@ void HandshakeWorld::checkSessions(const SocketAddress& from, std::size_t before
             "a session has moved to an address that was not asked");
     session.address = from;
   }
+}
+
+// Whether the household of the address has no more sessions than it may have.
+bool HandshakeWorld::isWithinHousehold(const IpAddress& address) const {
+  const auto sessions = std::count_if(sessions_.begin(), sessions_.end(), [&](const ModelSession& each) {
+    return gate_->isOpen(each.id) && gate_->addressOf(each.id).household() == address.household();
+  });
+  return address.isLoopback() || sessions <= std::int64_t{setup_.sessionsPerHousehold};
 }
 
 void HandshakeWorld::checkReceived(const ServerGate::Received& received) {

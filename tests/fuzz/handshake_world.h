@@ -104,6 +104,7 @@ class HandshakeWorld {
   void noteAnswer(const SocketAddress& from, ByteSpan datagram, ByteSpan answer);
   void noteAccept(const SocketAddress& from, ByteSpan datagram, const Accept& accept);
   void checkSessions(const SocketAddress& from, std::size_t before);
+  bool isWithinHousehold(const IpAddress& address) const;
   void checkReceived(const ServerGate::Received& received);
   void checkTransition(const Client& client, ClientGate::State before, ByteSpan datagram);
   bool wasAccepted(ByteSpan datagram) const;

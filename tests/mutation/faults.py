@@ -4,6 +4,7 @@ from client_faults import CLIENT_FAULTS
 from event_faults import EVENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
 from game_faults import GAME_FAULTS
+from household_faults import HOUSEHOLD_FAULTS
 from ideal_faults import IDEAL_FAULTS
 from level_faults import LEVEL_FAULTS
 from list_faults import LIST_FAULTS
@@ -362,6 +363,7 @@ FAULTS = [
     *RECORDING_FAULTS,
     *PROTOCOL_FAULTS,
     *TRANSPORT_FAULTS,
+    *HOUSEHOLD_FAULTS,
     *SERVER_FAULTS,
     *LIST_FAULTS,
     *LEVEL_FAULTS,

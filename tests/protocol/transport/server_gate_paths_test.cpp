@@ -98,5 +98,74 @@ TEST_F(ServerGatePathsTest, AnAnswerFromAnotherAddressThanTheChallengedMovesNoth
   EXPECT_EQ(receiver(), clientAt(1)) << "it was the same datagram";
 }
 
+// A household's limit would be worth nothing if sessions could begin elsewhere.
+TEST_F(ServerGatePathsTest, NobodyMovesIntoAFullHousehold) {
+  network_.setFilter({});
+  join(addressAt("203.0.113.9", 1));
+  join(addressAt("203.0.113.9", 2));
+  network_.setFilter([](const auto& each) { return each.to != kServer; });
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(challengesTo(kMoved), 0u);
+  EXPECT_EQ(receiver(), clientAt(1));
+}
+
+TEST_F(ServerGatePathsTest, NobodyMovesIntoAHouseholdThatHasFilledSinceTheChallenge) {
+  deliver(kMoved, sealed(kContent));
+  const Bytes response = answerTo(kMoved);
+  network_.setFilter({});
+  join(addressAt("203.0.113.9", 1));
+  join(addressAt("203.0.113.9", 2));
+  answer(kMoved, response);
+  EXPECT_EQ(receiver(), clientAt(1));
+  EXPECT_EQ(gate_->counters().full, 1u);
+}
+
+// A router gives a client another port.
+TEST_F(ServerGatePathsTest, AClientMovesWithinAFullHousehold) {
+  network_.setFilter({});
+  join(addressAt("192.0.2.1", 4001));
+  network_.setFilter([](const auto& each) { return each.to != kServer; });
+  const SocketAddress moved = addressAt("192.0.2.1", 4002);
+  deliver(moved, sealed(kContent));
+  answer(moved, answerTo(moved));
+  EXPECT_EQ(receiver(), moved);
+  EXPECT_EQ(gate_->counters().full, 0u);
+}
+
+// It counts there already.
+TEST_F(ServerGatePathsTest, ASessionOfAFullSiteMovesWithinIt) {
+  start({12, 2, {}, false});
+  network_.setFilter({});
+  const auto inHousehold = [](int number) { return addressAt("2001:db8:1:" + std::to_string(number) + "::1", 4000); };
+  std::vector<ClientGate> others;
+  for (int i = 0; i < 7; ++i) others.push_back(join(inHousehold(i)));
+  client_.emplace(join(inHousehold(7)));
+  session_ = sessionOf(*client_);
+  EXPECT_EQ(join(inHousehold(8)).state(), ClientGate::State::kRefused) << "the site is full";
+  network_.setFilter([](const auto& each) { return each.to != kServer; });
+  deliver(inHousehold(9), sealed(kContent));
+  EXPECT_EQ(challengesTo(inHousehold(9)), 1u);
+}
+
+TEST_F(ServerGatePathsTest, WhoeverChecksMovesMayRefuseOne) {
+  bool may = false;
+  std::vector<IpAddress> asked;
+  gate_->setMoveCheck([&](SessionId session, const IpAddress& address) {
+    EXPECT_EQ(session, session_);
+    asked.push_back(address);
+    return may;
+  });
+  deliver(kMoved, sealed(kContent));
+  EXPECT_TRUE(asked.empty()) << "the sender may be forged";
+  answer(kMoved, answerTo(kMoved));
+  EXPECT_EQ(gate_->addressOf(session_), clientAt(1).ip);
+  EXPECT_EQ(gate_->counters().full, 1u);
+  may = true;
+  deliver(kMoved, sealed(kContent));
+  answer(kMoved, answerTo(kMoved));
+  EXPECT_EQ(receiver(), kMoved);
+  EXPECT_EQ(asked, (std::vector{kMoved.ip, kMoved.ip}));
+}
+
 }  // namespace
 }  // namespace platon::server_gate_paths_test

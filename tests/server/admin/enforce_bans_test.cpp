@@ -59,7 +59,7 @@ TEST_F(EnforceBansTest, ABanOfOneIpv6AddressHitsThisAddressOnly) {
 }
 
 TEST_F(EnforceBansTest, APlayerThatHasMovedIsBannedByItsPresentAddress) {
-  match_.receive(3, PlayerInputs{}, *IpAddress::parse("198.51.100.9"));
+  EXPECT_TRUE(match_.move(3, *IpAddress::parse("198.51.100.9")));
   EXPECT_EQ(enforceBans(match_, listOf("192.0.2.8\n"), kNow), 0u);
   match_.disconnect(3);
   EXPECT_EQ(enforceBans(match_, listOf("198.51.100.9\n"), kNow), 1u);

@@ -61,16 +61,59 @@ class HostileResume : public testing::Test {
   std::map<Kind, std::size_t> events_;
 };
 
-// Otherwise one household could gather any number of players.
-TEST_F(HostileResume, APlayerThatMovesStillCountsForItsFirstHousehold) {
+// It counted where it had joined: two households that moved and resumed each other's players filled a server.
+TEST_F(HostileResume, APlayerThatMovesCountsWhereItIs) {
   Match match = matchFor(8, 2);
-  for (std::uint32_t i = 1; i <= 3; ++i) {
-    sendHello(match, i, i, 7);
-    match.receive(i, PlayerInputs{}, addressOf(8));
+  sendHello(match, 1, 1, 7);
+  sendHello(match, 2, 2, 7);
+  EXPECT_TRUE(match.move(1, addressOf(8)));
+  EXPECT_TRUE(match.move(2, addressOf(8)));
+  sendHello(match, 3, 3, 8);
+  EXPECT_FALSE(match.isPlaying(3));
+  sendHello(match, 4, 4, 7);
+  EXPECT_TRUE(match.isPlaying(4));
+  EXPECT_FALSE(match.move(4, addressOf(8)));
+  EXPECT_EQ(match.player(4)->address(), addressOf(7));
+  EXPECT_TRUE(match.move(1, addressOf(8))) << "another address of the same household";
+  EXPECT_TRUE(match.move(99, addressOf(8))) << "a client without a player";
+}
+
+TEST_F(HostileResume, APlayerCannotBeResumedWhereAllPlayersAreConnected) {
+  Match match = matchFor(8, 2);
+  for (std::uint32_t i = 1; i <= 4; ++i) sendHello(match, i, i, i <= 2 ? 7 : 8);
+  tick(match);
+  match.disconnect(1);
+  sendHello(match, 5, 1, 8);  // disconnected
+  sendHello(match, 6, 2, 8);  // connected
+  EXPECT_FALSE(match.isPlaying(5));
+  EXPECT_FALSE(match.isPlaying(6));
+  EXPECT_TRUE(match.isPlaying(2));
+  sendHello(match, 7, 3, 8);
+  EXPECT_TRUE(match.isPlaying(7)) << "it is there already";
+  sendHello(match, 8, 1, 7);
+  EXPECT_TRUE(match.isPlaying(8)) << "its player was kept";
+  tick(match);
+  EXPECT_EQ(events_[Kind::kRefused], 2u);
+  EXPECT_EQ(events_[Kind::kLeft], 0u);
+}
+
+// As one that joins there does.
+TEST_F(HostileResume, APlayerThatMovesTakesThePlaceOfADisconnectedOne) {
+  Match match = matchFor(8, 2);
+  for (std::uint32_t i = 1; i <= 3; ++i) sendHello(match, i, i, i <= 2 ? 8 : 7);
+  tick(match);
+  match.disconnect(1);
+  EXPECT_TRUE(match.move(3, addressOf(8)));
+  EXPECT_EQ(match.allPlayers(), 2u);
+}
+
+TEST_F(HostileResume, ThisMachineMayGatherAnyNumberOfPlayers) {
+  Match match = matchFor(8, 2);
+  for (std::uint32_t i = 1; i <= 6; ++i) {
+    sendHello(match, i, i, static_cast<std::uint8_t>(i));
+    EXPECT_TRUE(match.move(i, addressOf(0)));
   }
-  EXPECT_EQ(match.players(), 2u);
-  for (std::uint32_t i = 4; i <= 6; ++i) sendHello(match, i, i, 8);
-  EXPECT_EQ(match.players(), 4u);
+  EXPECT_EQ(match.players(), 6u);
 }
 
 TEST_F(HostileResume, ASecondHelloChangesNothing) {

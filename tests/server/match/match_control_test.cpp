@@ -203,7 +203,7 @@ TEST_F(MatchControlTest, PlayersAreListedBySlotWithTheirPresentAddress) {
     hello.token = SessionToken{static_cast<std::uint8_t>(client)};
     match().receive(client, hello, at("192.0.2.1"));
   }
-  match().receive(6, PlayerInputs{}, at("2001:db8::6"));  // it has moved
+  EXPECT_TRUE(match().move(6, at("2001:db8::6")));
   match().disconnect(5);
   match().mute(2, true);
   const std::vector<PlayerStatus> expected{{0, "P7", "P7", false, 7, at("192.0.2.1"), 0},

@@ -23,7 +23,7 @@ class HostTest : public testing::Test {
   void step() {
     now_ += 1ms;
     for (const HostEvent& event : host_.service(now_)) {
-      events_.push_back({event.client, event.disconnected, {}, event.address});
+      events_.push_back({event.client, event.disconnected, {}});
       messages_.emplace_back(event.bytes.begin(), event.bytes.end());
     }
     host_.flush(now_);
@@ -70,7 +70,8 @@ TEST_F(HostTest, DeliversTheMessagesOfAClient) {
   EXPECT_FALSE(host_.empty());
   EXPECT_FALSE(events_[0].disconnected);
   EXPECT_EQ(messages_[0], (Bytes{1, 2, 3}));
-  EXPECT_EQ(events_[0].address, kClient.ip);
+  EXPECT_EQ(host_.addressOf(client), kClient.ip);
+  EXPECT_EQ(host_.addressOf(client + 1), IpAddress());
   EXPECT_TRUE(host_.isOpen(client));
   EXPECT_FALSE(host_.isOpen(client + 1));
 }

@@ -1,0 +1,52 @@
+"""Faults in what a household may use up: sessions and players, also of those who move or resume."""
+
+from fault import at_length
+
+TRANSPORT = "protocol/transport/"
+MATCH = "server/match/"
+
+HOUSEHOLD_FAULTS = [
+    at_length("full-household-challenged", TRANSPORT + "server_gate.cpp",
+              " || !hasRoomFor(sender.ip, &session)) return;", ") return;",
+              "a session is asked to move into a household that is full",
+              "ServerGatePathsTest.NobodyMovesIntoAFullHousehold"),
+    at_length("full-household-moved-into", TRANSPORT + "server_gate.cpp",
+              "!hasRoomFor(sender.ip, &session) || (moveCheck_", "(moveCheck_",
+              "sessions that move at the same time take more places of a household than it has",
+              "ServerGatePathsTest.NobodyMovesIntoAHouseholdThatHasFilledSinceTheChallenge"),
+    at_length("mover-in-its-own-way", TRANSPORT + "server_gate_handshake.cpp",
+              " && &session != moving", "",
+              "a client of a full household that is given another port is not followed",
+              "ServerGatePathsTest.AClientMovesWithinAFullHousehold"),
+    at_length("moves-unchecked", TRANSPORT + "server_gate.cpp",
+              " || (moveCheck_ && !moveCheck_(session.id, sender.ip))", "",
+              "players gather in one household by moving there",
+              "ServerGatePathsTest.WhoeverChecksMovesMayRefuseOne"),
+    at_length("moves-unasked", "server/app/dedicated_server.cpp",
+              "  host_.setMoveCheck([this](ClientId client, const IpAddress& to) { return match_.move(client, to); });\n", "",
+              "a player counts, and is banned, where it joined and not where it is",
+              "RoamingTest.AllPlayersOfAHouseholdThatGetsAnotherAddressGoOnThere"),
+    at_length("household-without-limit", TRANSPORT + "server_gate_handshake.cpp",
+              "return countOf([&](const IpAddress& other) { return other.household() == client.household(); }) < most &&",
+              "return",
+              "one address may take all sessions",
+              "ServerGateTest.AHouseholdHasALimitedNumberOfSessions"),
+    at_length("resumed-in-a-full-household", MATCH + "match.cpp",
+              "if (isFull(origin, known)) return refuseOrigin();",
+              "if (known == nullptr && isFull(origin, known)) return refuseOrigin();",
+              "two households that resume each other's players take all places",
+              "HostileResume.APlayerCannotBeResumedWhereAllPlayersAreConnected"),
+    at_length("moved-into-a-full-household", MATCH + "match.cpp",
+              "  if (isFull(origin, &found->second)) return false;\n", "",
+              "two households whose players move take all places",
+              "HostileResume.APlayerThatMovesCountsWhereItIs"),
+    at_length("mover-counted-twice", MATCH + "match.cpp",
+              "entry.second.origin() == origin && &entry.second != except", "entry.second.origin() == origin",
+              "a player of a full household cannot resume there",
+              "HostileResume.APlayerCannotBeResumedWhereAllPlayersAreConnected"),
+    at_length("one-player-too-few-per-origin", MATCH + "match.cpp",
+              "for (; count > settings_.playersPerOrigin; --count) {",
+              "for (; count >= settings_.playersPerOrigin; --count) {",
+              "a disconnected player is removed although its origin has room for it",
+              "HostileResume.AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections"),
+]
