@@ -1,37 +1,53 @@
 #include "protocol/label.h"
 
+#include <utf8proc.h>
+
 #include <algorithm>
-#include <iterator>
-#include <span>
+#include <array>
+#include <vector>
 
 #include "platon/game/utf8.h"
-#include "protocol/unicode_tables.h"
 
 namespace platon {
 namespace {
 
-// Characters that nobody sees: those with the property Default_Ignorable_Code_Point, annotation marks, and code points
-// that are no characters or private.
-constexpr CodeRange kInvisible[] = {
-    {0xad, 0xad},       {0x34f, 0x34f},     {0x61c, 0x61c},     {0x115f, 0x1160},    {0x17b4, 0x17b5},
-    {0x180b, 0x180f},   {0x200b, 0x200f},   {0x2028, 0x202e},   {0x2060, 0x206f},    {0x3164, 0x3164},
-    {0xe000, 0xf8ff},   {0xfdd0, 0xfdef},   {0xfe00, 0xfe0f},   {0xfeff, 0xfeff},    {0xffa0, 0xffa0},
-    {0xfff0, 0xfffc},   {0xfffe, 0xffff},   {0x13430, 0x1345f}, {0x1bca0, 0x1bca3},  {0x1d159, 0x1d159},
-    {0x1d173, 0x1d17a}, {0x1fffe, 0x1ffff}, {0x2fffe, 0x2ffff}, {0x3fffe, 0x10ffff},
-};
-// Spaces, and the braille pattern without dots.
-constexpr CodeRange kBlank[] = {{0x20, 0x20},     {0xa0, 0xa0},     {0x1680, 0x1680}, {0x2000, 0x200a},
-                                {0x202f, 0x202f}, {0x205f, 0x205f}, {0x2800, 0x2800}, {0x3000, 0x3000}};
+using CodePoints = std::u32string;
 
-// The range of a table in order that contains the code point; null if there is none.
-template <class Range>
-const Range* rangeOf(std::span<const Range> table, char32_t code) {
-  const auto found = std::lower_bound(table.begin(), table.end(), code,
-                                      [](const Range& range, char32_t point) { return range.last < point; });
-  return found != table.end() && found->first <= code ? &*found : nullptr;
+const utf8proc_property_t& propertyOf(char32_t code) {
+  return *utf8proc_get_property(static_cast<utf8proc_int32_t>(code));
 }
 
-bool isIn(std::span<const CodeRange> table, char32_t code) { return rangeOf(table, code) != nullptr; }
+// Spaces, and the braille pattern without dots.
+bool isBlank(char32_t code) { return propertyOf(code).category == UTF8PROC_CATEGORY_ZS || code == 0x2800; }
+
+bool isCombining(char32_t code) {
+  const auto category = propertyOf(code).category;
+  return category == UTF8PROC_CATEGORY_MN || category == UTF8PROC_CATEGORY_MC || category == UTF8PROC_CATEGORY_ME;
+}
+
+// Combining characters of class 0 that do not enclose are vowels and the like, which a letter may have more of.
+bool isAccent(char32_t code) {
+  return propertyOf(code).combining_class != 0 || propertyOf(code).category == UTF8PROC_CATEGORY_ME;
+}
+
+// Annotation marks, and controls that arrange hieroglyphs: Unicode has no property that tells that nobody sees them.
+bool isFormatControl(char32_t code) {
+  return (code >= 0xfff9 && code <= 0xfffc) || (code >= 0x13430 && code <= 0x1343f);
+}
+
+bool isInvisible(char32_t code) {
+  switch (propertyOf(code).category) {
+    case UTF8PROC_CATEGORY_CN:  // assigned to no character
+    case UTF8PROC_CATEGORY_CC:
+    case UTF8PROC_CATEGORY_CS:
+    case UTF8PROC_CATEGORY_CO:  // private
+    case UTF8PROC_CATEGORY_ZL:
+    case UTF8PROC_CATEGORY_ZP:
+      return true;
+    default:
+      return propertyOf(code).ignorable || isFormatControl(code);
+  }
+}
 
 bool isShown(char32_t code) {
   const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
@@ -40,10 +56,55 @@ bool isShown(char32_t code) {
   return !isControlCharacter(code) && !lineBreak && !direction;
 }
 
-char32_t folded(char32_t code) {
-  const CaseRange* range = rangeOf(std::span<const CaseRange>(kCaseFolding), code);
-  if (!range || (code - range->first) % range->step != 0) return code;
-  return static_cast<char32_t>(static_cast<std::int32_t>(code) + range->distance);
+// The canonical decomposition of a character.
+CodePoints partsOf(char32_t code) {
+  std::array<utf8proc_int32_t, 8> parts{};  // Unicode has none of more than 4
+  int boundary = 0;
+  const auto count = utf8proc_decompose_char(static_cast<utf8proc_int32_t>(code), parts.data(), parts.size(),
+                                             UTF8PROC_DECOMPOSE, &boundary);
+  return {parts.begin(), parts.begin() + std::clamp<utf8proc_ssize_t>(count, 0, parts.size())};
+}
+
+/// The letter that combining characters would change, as a label is read from its beginning.
+class Letter {
+ public:
+  /// Nothing to combine with.
+  void end() { marks_.reset(); }
+  /// A character that does not combine, with the marks that it is composed of.
+  void begin(char32_t code) {
+    marks_ = partsOf(code);
+    std::erase_if(*marks_, [](char32_t part) { return !isCombining(part); });
+  }
+  /// Adds a combining character. False, without effect, if there is no letter, or the letter has it already or enough
+  /// others.
+  bool add(char32_t code) {
+    if (!marks_) return false;
+    CodePoints marks = *marks_;
+    for (const char32_t mark : partsOf(code)) {
+      if (marks.find(mark) != CodePoints::npos) return false;
+      marks += mark;
+    }
+    const auto accents = static_cast<std::size_t>(std::count_if(marks.begin(), marks.end(), isAccent));
+    if (accents > kMaxAccents || marks.size() - accents > kMaxVowelSigns) return false;
+    marks_ = std::move(marks);
+    return true;
+  }
+
+ private:
+  std::optional<CodePoints> marks_;  // nothing: no letter
+};
+
+// Text that is mapped by utf8proc; unchanged if it is not UTF-8.
+std::string mapped(std::string_view text, int options) {
+  const auto* bytes = reinterpret_cast<const utf8proc_uint8_t*>(text.data());
+  const auto size = static_cast<utf8proc_ssize_t>(text.size());
+  const auto option = static_cast<utf8proc_option_t>(options);
+  const utf8proc_ssize_t count = utf8proc_decompose(bytes, size, nullptr, 0, option);
+  if (count < 0) return std::string(text);
+  std::vector<utf8proc_int32_t> points(static_cast<std::size_t>(count) + 1);  // and a zero that ends the text
+  utf8proc_decompose(bytes, size, points.data(), count, option);
+  const utf8proc_ssize_t length = utf8proc_reencode(points.data(), count, option);
+  return {reinterpret_cast<const char*>(points.data()), static_cast<std::size_t>(length)};
 }
 
 }  // namespace
@@ -60,30 +121,29 @@ bool isLabel(std::string_view text, std::size_t maxBytes) {
 
 std::string visibleLabel(std::string_view label) {
   std::string visible;
+  Letter letter;
   bool spaceBefore = false;
-  bool combines = false;  // whether a character precedes that a combining one can change
   while (!label.empty()) {
     const std::string_view rest = label;
     const char32_t code = takeCodePoint(label);
-    if (isIn(kBlank, code)) {
+    if (isBlank(code)) {
       spaceBefore = !visible.empty();
-      combines = false;
+      letter.end();
     }
-    if (isIn(kBlank, code) || isIn(kInvisible, code) || isControlCharacter(code)) continue;
-    if (!combines && isIn(kCombiningCharacters, code)) continue;
+    if (isBlank(code) || isInvisible(code)) continue;
+    if (isCombining(code) && !letter.add(code)) continue;
+    if (!isCombining(code)) letter.begin(code);
     if (spaceBefore) visible += ' ';
     visible += rest.substr(0, rest.size() - label.size());
     spaceBefore = false;
-    combines = true;
   }
   return visible;
 }
 
-std::u32string lookAlikeKey(std::string_view label) {
-  const std::string visible = visibleLabel(label);
-  std::u32string key;
-  for (std::string_view rest = visible; !rest.empty();) key += folded(takeCodePoint(rest));
-  return key;
+// The order of marks is made canonical first, because case folding makes a letter of one.
+std::string lookAlikeKey(std::string_view label) {
+  const std::string ordered = mapped(visibleLabel(label), UTF8PROC_STABLE | UTF8PROC_DECOMPOSE);
+  return mapped(ordered, UTF8PROC_STABLE | UTF8PROC_COMPOSE | UTF8PROC_COMPAT | UTF8PROC_CASEFOLD);
 }
 
 }  // namespace platon

@@ -10,13 +10,20 @@ namespace platon {
 /// control characters, line breaks or marks that change the direction of writing. The empty text is a label.
 bool isLabel(std::string_view text, std::size_t maxBytes);
 
-/// What a reader sees of a label: without invisible characters, such as those of width zero, and without combining
-/// characters that have nothing to combine with; with one plain space for each run of spaces, and none at the ends. Not
-/// longer than the label. Empty if nothing of the label can be seen.
+/// Combining characters that are shown on one letter, those of which it is composed included: accents, that is those
+/// with a combining class and those that enclose, and vowel signs, that is all others.
+inline constexpr std::size_t kMaxAccents = 2;
+inline constexpr std::size_t kMaxVowelSigns = 4;
+
+/// What a reader sees of a label: without invisible characters, such as those of width zero and unassigned ones;
+/// without combining characters that have nothing to combine with, that repeat one on the same letter, or that are too
+/// many; with one plain space for each run of spaces, and none at the ends. Not longer than the label. Empty if nothing
+/// of the label can be seen.
 std::string visibleLabel(std::string_view label);
 
-/// A key that is equal for labels that a reader takes for the same: those of the same visible characters, in capitals
-/// or not.
-std::u32string lookAlikeKey(std::string_view label);
+/// A key that is equal for labels that a reader takes for the same: what is visible of them after full case folding and
+/// compatibility composition (NFKC) is the same text. So it does not tell apart capitals, composed and decomposed
+/// letters, full-width letters, ligatures and superscripts.
+std::string lookAlikeKey(std::string_view label);
 
 }  // namespace platon

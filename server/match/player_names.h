@@ -47,7 +47,7 @@ class PlayerNames {
   std::vector<std::string> names_;    // by slot; empty: free
   std::vector<std::string> numbers_;  // names of muted players by slot; empty: shown by its name
   std::set<std::uint32_t> muted_;     // slots
-  std::set<std::u32string> taken_;    // look-alike keys of names_ and numbers_
+  std::set<std::string> taken_;       // look-alike keys of names_ and numbers_
   std::set<std::uint32_t> changed_;   // slots, since the last takeChanges
   std::optional<std::vector<SharedBytes>> all_;
 };

@@ -46,9 +46,10 @@ struct TimeReader : LineReader {
     }
     const auto date = dateOf(next());
     if (!date) return ParseError{"after the ticks must stand the date in UTC, such as 2026-12-01T18:00:00Z"};
-    const std::string name(rest());
-    const bool shown = !name.empty() && isLabel(name, kMaxNameBytes) && visibleLabel(name) == name;
-    if (!shown) return ParseError{"at the end must stand the name of the player, 1 to 32 visible bytes"};
+    const std::string_view label = rest();
+    const std::string name = visibleLabel(label);
+    if (name.empty() || !isLabel(label, kMaxNameBytes))
+      return ParseError{"at the end must stand the name of the player, 1 to 32 visible bytes"};
     return Entry{{*hash, *rules}, {{*ticks, name}, *date}};
   }
 };

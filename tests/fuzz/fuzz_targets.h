@@ -22,7 +22,8 @@ std::string gameStateFault(Bytes bytes);
 /// A recording, valid or forged: it is read to its end or refused, and every block read is one that a game can play;
 /// the client plays every valid one, and finds the run in it.
 std::string recordingFault(Bytes bytes);
-/// A network message: it is refused, or equals itself after encoding and decoding.
+/// A network message: it is refused, or equals itself after encoding and decoding. What is shown of the name of a
+/// player is taken for this name.
 std::string protocolFault(Bytes bytes);
 /// Datagrams of newcomers, a server and strangers, any of them changed, repeated or sent in another name: the server
 /// keeps nothing and sends no more bytes than came until a cookie is returned, contents arrive unchanged and once, and

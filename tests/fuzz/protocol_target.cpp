@@ -2,6 +2,7 @@
 #include <variant>
 
 #include "protocol/full_state.h"
+#include "protocol/label.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "tests/fuzz/byte_source.h"
@@ -9,6 +10,20 @@
 
 namespace platon::fuzz {
 namespace {
+
+// What is shown of a name can be shown, is not longer, and is taken for the name itself.
+std::string nameFault(const std::string& name) {
+  const std::string visible = visibleLabel(name);
+  if (!isLabel(visible, name.size()) || visibleLabel(visible) != visible)
+    return "a name is shown with what is not seen";
+  return lookAlikeKey(visible) == lookAlikeKey(name) ? std::string() : "what is shown of a name is another name";
+}
+
+std::string helloFault(Bytes bytes) {
+  const std::optional<ToServer> message = decodeToServer(bytes);
+  const auto* const hello = message ? std::get_if<Hello>(&*message) : nullptr;
+  return hello == nullptr ? std::string() : nameFault(hello->name);
+}
 
 // A decoded message is within its limits, which `encode` asserts.
 template <class Message>
@@ -30,8 +45,10 @@ std::string stateFault(Bytes bytes) {
 std::string protocolFault(Bytes input) {
   ByteSource bytes(input);
   switch (bytes.below(3)) {
-    case 0:
-      return roundTripFault(bytes.remaining(), &decodeToServer);
+    case 0: {
+      const std::string fault = helloFault(bytes.remaining());
+      return fault.empty() ? roundTripFault(bytes.remaining(), &decodeToServer) : fault;
+    }
     case 1:
       return roundTripFault(bytes.remaining(), &decodeToClient);
     default:

@@ -8,6 +8,7 @@ from household_faults import HOUSEHOLD_FAULTS
 from ideal_faults import IDEAL_FAULTS
 from level_faults import LEVEL_FAULTS
 from list_faults import LIST_FAULTS
+from name_faults import NAME_FAULTS
 from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
 from query_faults import QUERY_FAULTS
 from recording_faults import RECORDING_FAULTS
@@ -364,6 +365,7 @@ FAULTS = [
     *PROTOCOL_FAULTS,
     *TRANSPORT_FAULTS,
     *HOUSEHOLD_FAULTS,
+    *NAME_FAULTS,
     *SERVER_FAULTS,
     *LIST_FAULTS,
     *LEVEL_FAULTS,

@@ -92,10 +92,6 @@ PROTOCOL_FAULTS = [
               "    if (!isInput(state.held.back())) return std::nullopt;\n", "",
               "a full state may hold inputs that no player can give",
               "FullState.RefusesMalformedBytes"),
-    at_length("override-mark-in-a-name", PROTOCOL + "label.cpp",
-              "within(0x202a, 0x202e)", "within(0x202a, 0x202d)",
-              "a name may contain the mark that reverses the text after it",
-              "Label.RefusesControlCharactersLineBreaksAndDirectionMarks"),
 ]  # fmt: skip
 
 SERVER_FAULTS = [
@@ -164,10 +160,6 @@ SERVER_FAULTS = [
               "const std::pair at{round, history.end()};", "const std::pair at{round, 0u};",
               "a client that joins late gets the state of an earlier tick",
               "TransferCache.EachTickHasAStateOfItsOwn"),
-    at_length("name-of-any-capitals", MATCH + "player_names.cpp",
-              "taken_.insert(lookAlikeKey(name)).second", "taken_.insert({name.begin(), name.end()}).second",
-              "names that differ only in capitals are not told apart",
-              "PlayerNamesTest.NamesThatLookAlikeGetANumber"),
 
     # The match.
     at_length("names-sent-in-every-tick", MATCH + "match.cpp",

@@ -45,6 +45,17 @@ TEST_F(PlayerNamesTest, NamesThatLookAlikeGetANumber) {
   EXPECT_EQ(claim("яна"), "яна 2");
 }
 
+TEST_F(PlayerNamesTest, NamesInOtherFormsOfUnicodeGetANumber) {
+  EXPECT_EQ(claim("José"), "José");
+  EXPECT_EQ(claim("Jose\u0301"), "Jose\u0301 2");
+  EXPECT_EQ(claim("Ａｎｎ"), "Ａｎｎ");
+  EXPECT_EQ(claim("Ann"), "Ann 2");
+  EXPECT_EQ(claim("ﬁx"), "ﬁx");
+  EXPECT_EQ(claim("fix"), "fix 2");
+  EXPECT_EQ(claim("A\u0301\u0302\u0303\u0304\u0305\u0306\u0307\u0309\u030anna"), "A\u0301\u0302nna");
+  EXPECT_EQ(claim("a\u0301\u0302nna"), "a\u0301\u0302nna 2");
+}
+
 TEST_F(PlayerNamesTest, ANameWithoutVisibleCharactersIsReplaced) {
   EXPECT_EQ(claim(""), "Player 1");
   EXPECT_EQ(claim("\u200b \u3164\u00a0\u0301"), "Player 2");

@@ -126,13 +126,19 @@ TEST(BestTimes, EachErrorHasItsPlaceAndRemedy) {
        "1:44: at the end must stand the name of the player, 1 to 32 visible bytes"},
       {"0123456789abcdef 6 743 2026-12-01T18:00:00Z a\x01",
        "1:45: at the end must stand the name of the player, 1 to 32 visible bytes"},
-      {"0123456789abcdef 6 743 2026-12-01T18:00:00Z a  b",
+      {"0123456789abcdef 6 743 2026-12-01T18:00:00Z \u200b",
        "1:45: at the end must stand the name of the player, 1 to 32 visible bytes"},
       {"0123456789abcdef 6 743 2026-12-01T18:00:00Z " + std::string(kMaxNameBytes + 1, 'x'),
        "1:45: at the end must stand the name of the player, 1 to 32 visible bytes"}};
   for (const auto& [text, error] : cases) EXPECT_EQ(errorsOf(text), std::vector{error + remedy}) << text;
   EXPECT_EQ(errorsOf(kLine + "\n" + kLine),
             std::vector<std::string>{"3:1: a second time of this level and these rules; remove one of them"});
+}
+
+// A version that showed more of a name has written it.
+TEST(BestTimes, OfANameThatIsReadStaysWhatCanBeSeen) {
+  const BestTimes times = read("0123456789abcdef 6 743 2026-12-01T18:00:00Z A\u0301\u0302\u0303nn\n");
+  EXPECT_EQ(times.find({0x0123456789abcdef, 6})->time.name, "A\u0301\u0302nn");
 }
 
 TEST(BestTimes, ErrorsAreBounded) {
