@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <map>
 
 #include "platon/game/game.h"
 #include "protocol/chat.h"
@@ -13,20 +15,52 @@ namespace platon {
 /// How much may be said in a match, in ticks of the match.
 class ChatBudget {
  public:
-  static constexpr double kPerSecondOfAll = 8;  ///< of all players: each text is sent to all of them
-  static constexpr double kBurstOfAll = 16;
+  /// Ticks after which a budget that was not used is full: 8 s.
+  static constexpr auto kRefillTicks = static_cast<std::uint64_t>(kChatBurst / kChatsPerSecond * kTicksPerSecond);
 
-  static ChatBudget ofPlayer() { return {kChatsPerSecond, kChatBurst}; }
-  static ChatBudget ofAll() { return {kPerSecondOfAll, kBurstOfAll}; }
+  /// What so many players may say together.
+  static ChatBudget ofPlayers(std::uint32_t players) { return ChatBudget(players); }
 
   /// Whether one more may be said at tick `now` of the match, which never decreases; it counts then.
   bool take(std::uint64_t now) { return bucket_.take(1, momentOf(now)); }
 
  private:
-  ChatBudget(double perSecond, double burst) : bucket_(perSecond, burst, Moment(0)) {}
+  explicit ChatBudget(double players) : bucket_(players * kChatsPerSecond, players * kChatBurst, Moment(0)) {}
   static Moment momentOf(std::uint64_t tick) { return std::chrono::microseconds(tick * 1'000'000 / kTicksPerSecond); }
 
   TokenBucket bucket_;
+};
+
+/// What each household may say in a match: as much as its players may together, also if they leave and join again,
+/// which gives each of them a new budget. One household takes nothing from another.
+class HouseholdChat {
+ public:
+  /// Players whose budgets a household has at most: each text is sent to all players.
+  static constexpr std::uint32_t kMaxSpeakers = 16;
+
+  /// `players`: that a household may have.
+  explicit HouseholdChat(std::uint32_t players) : speakers_(std::min(players, kMaxSpeakers)) {}
+
+  /// Whether the household may say one more at tick `now` of the match, which never decreases; it counts then.
+  bool take(std::uint64_t household, std::uint64_t now) {
+    std::erase_if(households_,
+                  [now](const auto& each) { return now - each.second.usedAt >= ChatBudget::kRefillTicks; });
+    Household& used =
+        households_.try_emplace(household, Household{ChatBudget::ofPlayers(speakers_), now}).first->second;
+    used.usedAt = now;
+    return used.budget.take(now);
+  }
+  /// Households of which something is kept: those that have talked in the last ChatBudget::kRefillTicks.
+  std::size_t size() const { return households_.size(); }
+
+ private:
+  struct Household {
+    ChatBudget budget;
+    std::uint64_t usedAt;
+  };
+
+  std::uint32_t speakers_;
+  std::map<std::uint64_t, Household> households_;
 };
 
 }  // namespace platon

@@ -28,7 +28,8 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
       settings_(std::move(settings)),
       game_(rotation_.current()),
       history_(round_, shortHash(game_.hash())),
-      names_(settings_.maxPlayers) {
+      names_(settings_.maxPlayers),
+      householdChat_(settings_.playersPerOrigin) {
   assert(settings_.maxPlayers >= 1 && settings_.maxPlayers <= kMaxPlayers);
   setServerName(settings_.serverName);
   startRound();

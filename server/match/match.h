@@ -245,7 +245,7 @@ class Match {
   PlayerNames names_;                        // of the connected and the disconnected players
   std::uint64_t nextRosterAt_ = 0;           // value of now_
   VoteNotices voteNotices_;
-  ChatBudget chatBudget_ = ChatBudget::ofAll();
+  HouseholdChat householdChat_;
   BestTimeKeeper* bestTimes_ = nullptr;  // null: none
   bool countsTimes_ = true;
   std::uint32_t uncountedAt_ = 0;    // last tick of the round in which times did not count; 0: none

@@ -11,7 +11,7 @@ void Match::handle(ClientId client, const Chat& chat) {
   MatchPlayer& player = found->second;
   const Chat said{visibleLabel(chat.text), chat.emote};
   if (!isChat(said) || names_.isMuted(player.slot())) return;
-  if (!player.mayChat(now_) || !chatBudget_.take(now_)) return;
+  if (!player.mayChat(now_) || !householdChat_.take(player.origin(), now_)) return;
   sendAll(encode(PlayerChat{player.slot(), said}));
   if (said.emote == 0) addEvent(MatchEvent::Kind::kChat, client, player.slot(), said.text);
 }

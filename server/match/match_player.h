@@ -131,7 +131,7 @@ class MatchPlayer {
   std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, voted or joined
   std::uint8_t buttons_ = 0;  // of the newest input of all rounds
   VoteWish wish_;
-  ChatBudget chatBudget_ = ChatBudget::ofPlayer();
+  ChatBudget chatBudget_ = ChatBudget::ofPlayers(1);
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
   LossMeter loss_;  // of the messages of inputs

@@ -14,6 +14,7 @@ class MatchChat : public testing::Test {
   static MatchSettings settings(bool chat) {
     MatchSettings settings;
     settings.chat = chat;
+    settings.playersPerOrigin = 4;
     return settings;
   }
   void join(ClientId first, ClientId last) {
@@ -90,13 +91,27 @@ TEST_F(MatchChat, AFloodIsDroppedDownToTheRate) {
   EXPECT_EQ(heardBy(2).size(), 4U + 19 / 2);
 }
 
-TEST_F(MatchChat, ACrowdIsDroppedDownToTheRateOfAll) {
-  join(1, 16);
-  for (int second = 0; second < 10; ++second) {
-    for (ClientId client = 1; client <= 16; ++client) say(client, "flood");
-    run(kTicksPerSecond);
+// Each had a new budget, and all of the match had one together: two households that did this silenced all others.
+TEST_F(MatchChat, HouseholdsThatJoinAgainAndAgainDoNotSilenceOthers) {
+  const auto joinAt = [this](ClientId client, const char* address) {
+    match_.receive(client, Hello{}, *IpAddress::parse(address));
+  };
+  joinAt(1, "192.0.2.1");
+  ClientId next = 2;
+  std::size_t heard = 0, flood = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (int tick = 0; tick < 2 * static_cast<int>(kTicksPerSecond); ++tick) {
+      const ClientId loud = next++;
+      joinAt(loud, tick % 2 == 0 ? "198.51.100.1" : "203.0.113.1");
+      for (int text = 0; text < 4; ++text) say(loud, "flood");
+      match_.receive(loud, Leave{});
+      match_.tick();
+    }
+    say(1, "I");
+    for (const PlayerChat& each : heardBy(1)) ++(each.chat.text == "I" ? heard : flood);
   }
-  EXPECT_LE(heardBy(2).size(), 16U + 8 * 9);
+  EXPECT_EQ(heard, 20u);
+  EXPECT_EQ(flood, 2u * (16 + 79)) << "what four players of each household may say in nearly 40 s";
 }
 
 TEST_F(MatchChat, AnotherPlayerIsHeardWhileOneFloods) {
