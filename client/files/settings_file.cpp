@@ -48,8 +48,9 @@ Settings SettingsFile::load() {
   if (!std::filesystem::exists(std::filesystem::symlink_status(path_, ignored))) return {};
   auto read = readTextFile(path_.string(), kMaxBytes);
   std::string* const text = std::get_if<std::string>(&read);
-  if (text == nullptr) return refuse("cannot be read: " + std::get<ParseError>(read).what);
-  if (text->size() > kMaxBytes) return refuse("is larger than 1 MiB");
+  if (text == nullptr)
+    return refuse("cannot be read: " + std::get<ParseError>(read).what + "; remove it or make it a readable file");
+  if (text->size() > kMaxBytes) return refuse("is larger than 1 MiB; remove it or what it need not hold");
   SettingsResult result = parseSettings(*text);
   for (const std::string& error : result.errors) {
     std::fprintf(stderr, "platon-client: %s: %s\n", path_.c_str(), error.c_str());

@@ -1,15 +1,19 @@
 #include "client/files/user_folders.h"
 
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <variant>
+
+#include "protocol/files/text_file.h"
 
 namespace platon {
 
 namespace {
 
 constexpr const char* kName = "platon";
+constexpr std::size_t kMaxFolderTextBytes = std::size_t{1} << 16;  // of the file that names the folders
 
 // Follows the XDG Base Directory Specification.
 std::filesystem::path folder(const char* variable, const char* defaultInHome) {
@@ -46,7 +50,9 @@ std::filesystem::path picturesFolder() {
   if (chosen != nullptr && *chosen != '\0') return chosen;
   const char* const home = std::getenv("HOME");
   if (home == nullptr || *home == '\0') return {};
-  std::ifstream file(configFolder().parent_path() / "user-dirs.dirs");
+  const auto read = readTextFile(configFolder().parent_path() / "user-dirs.dirs", kMaxFolderTextBytes);
+  const auto* const text = std::get_if<std::string>(&read);
+  std::istringstream file(text == nullptr ? std::string() : *text);
   for (std::string line; std::getline(file, line);) {
     constexpr std::string_view kStart = "XDG_PICTURES_DIR=\"$HOME/";
     if (line.starts_with(kStart) && line.ends_with('"')) {

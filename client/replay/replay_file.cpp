@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <span>
 #include <utility>
+
+#include "protocol/files/regular_file.h"
 
 namespace platon {
 namespace {
@@ -20,36 +21,32 @@ std::span<const std::uint8_t> bytesOf(const std::string& content) {
   return {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()};
 }
 
-using OpenFile = std::unique_ptr<std::FILE, void (*)(std::FILE*)>;
-
-std::string systemFault() { return std::string("cannot be read: ") + std::strerror(errno); }
+std::string unreadable(const std::string& reason) { return "cannot be read: " + reason; }
 
 // At most one byte more than `maxBytes`. Returns why it failed, or an empty text.
-std::string readParts(std::FILE* file, std::size_t maxBytes, std::string& content, const std::stop_token& stop) {
+std::string readParts(const Descriptor& file, std::size_t maxBytes, std::string& content, const std::stop_token& stop) {
   while (content.size() <= maxBytes) {
     if (stop.stop_requested()) return Replay::kStopped;
     const std::size_t before = content.size();
     const std::size_t part = std::min(kPartBytes, maxBytes + 1 - before);
     content.resize(before + part);
-    const std::size_t read = std::fread(content.data() + before, 1, part, file);
-    content.resize(before + read);
-    if (std::ferror(file) != 0) return systemFault();
-    if (read < part) break;
+    const std::optional<std::size_t> read = readNext(file, content.data() + before, part);
+    content.resize(before + read.value_or(0));
+    if (!read) return unreadable(std::strerror(errno));
+    if (*read < part) break;
   }
   return {};
 }
 
 // At most one byte more than `maxBytes`, and room for as many as the file has: it may be small.
 RecordingBytes readFile(const fs::path& file, std::size_t maxBytes, const std::stop_token& stop) {
+  const OpenedFile opened = openToRead(file.string());
+  if (!opened.file) return {{}, unreadable(opened.fault)};
   std::error_code fault;
-  const fs::file_status status = fs::status(file, fault);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return {{}, "is no file"};
   const std::uintmax_t size = fs::file_size(file, fault);
   const auto limit = fault ? maxBytes : static_cast<std::size_t>(std::min<std::uintmax_t>(size, maxBytes));
-  const OpenFile opened(std::fopen(file.c_str(), "rb"), [](std::FILE* closed) { std::fclose(closed); });
-  if (!opened) return {{}, systemFault()};
   RecordingBytes bytes;
-  bytes.fault = readParts(opened.get(), limit, bytes.content, stop);
+  bytes.fault = readParts(opened.file, limit, bytes.content, stop);
   return bytes;
 }
 

@@ -4,24 +4,26 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 
 #include "levels/check/level_warnings.h"
+#include "protocol/files/regular_file.h"
 
 namespace platon {
 
-std::optional<std::string> readLevelFile(const std::string& path, std::string& fault) {
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+std::optional<std::string> readInputFile(const std::string& path, std::size_t maxBytes, std::string& fault) {
+  constexpr std::size_t part = std::size_t{1} << 16;
+  const OpenedFile opened = openToRead(path, Pipes::kRead);
   std::string content;
-  if (file != nullptr) {
-    content.resize(kMaxLevelBytes + 1);
-    content.resize(std::fread(content.data(), 1, content.size(), file.get()));
+  std::optional<std::size_t> got = opened.file ? std::optional(part) : std::nullopt;
+  while (got && *got != 0) {
+    const std::size_t had = content.size();
+    content.resize(std::min(maxBytes, had + part));
+    got = readNext(opened.file, content.data() + had, content.size() - had);
+    content.resize(had + got.value_or(0));
   }
-  if (file != nullptr && std::ferror(file.get()) == 0) return content;
-  fault = "cannot read '" + path + "': " + std::strerror(errno);
+  if (got) return content;
+  const std::string reason = opened.file ? std::strerror(errno) : opened.fault;
+  fault = "cannot read '" + path + "': " + reason + "; name a readable file";
   return std::nullopt;
 }
 
@@ -51,7 +53,7 @@ std::string marked(const std::vector<std::string_view>& lines, const Diagnostic&
 
 std::optional<LevelResult> loadLevelFile(const std::string& path, bool withAdvice) {
   std::string fault;
-  const auto text = readLevelFile(path, fault);
+  const auto text = readInputFile(path, kMaxLevelBytes + 1, fault);
   if (!text) {
     std::fprintf(stderr, "platon-level: %s\n", fault.c_str());
     return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,9 +10,9 @@
 
 namespace platon {
 
-/// Returns the content of a level file, at most kMaxLevelBytes + 1 bytes of it. Returns nothing and sets `fault` when
-/// the file cannot be read.
-std::optional<std::string> readLevelFile(const std::string& path, std::string& fault);
+/// Returns the first `maxBytes` bytes of a file or of a pipe that is written to. Returns nothing and sets `fault` when
+/// it cannot be read, or is a device.
+std::optional<std::string> readInputFile(const std::string& path, std::size_t maxBytes, std::string& fault);
 
 /// Loads a level file and prints its errors and warnings to stderr, each as `file:line:column: error: …` and the text
 /// marked; with advice also those of warningsOf, which take seconds. Returns nothing, and prints why, when the file

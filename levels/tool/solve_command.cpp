@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,6 +17,9 @@
 
 namespace platon {
 namespace {
+
+// Longest recording of a way that is read: hours of play.
+constexpr std::size_t kMaxWayBytes = std::size_t{1} << 26;
 
 bool write(const std::string& file, const std::vector<std::uint8_t>& bytes) {
   std::ofstream out(file, std::ios::binary);
@@ -79,13 +81,14 @@ int search(const std::shared_ptr<const Level>& level, const SolveOptions& option
 
 // Tells about a recorded way, if it is one of this level.
 int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options) {
-  std::ifstream in(options.recorded, std::ios::binary);
-  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(in), {});
-  if (!in) {
-    std::fprintf(stderr, "platon-level: cannot read '%s'\n", options.recorded.c_str());
+  std::string fault;
+  const auto content = readInputFile(options.recorded, kMaxWayBytes, fault);
+  if (!content) {
+    std::fprintf(stderr, "platon-level: %s\n", fault.c_str());
     return kUsage;
   }
-  const RecordedWay way = readRecordedWay(bytes);
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(content->data());
+  const RecordedWay way = readRecordedWay({bytes, content->size()});
   if (!way.fault.empty()) {
     std::fprintf(stderr, "%s: error: %s\n", options.recorded.c_str(), way.fault.c_str());
     return kInvalidLevel;

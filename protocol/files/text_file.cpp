@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <memory>
+#include <optional>
 
-#include "protocol/files/descriptor.h"
+#include "protocol/files/regular_file.h"
 
 namespace platon {
 namespace {
@@ -43,6 +43,7 @@ std::string replaceFile(const std::string& path, std::string_view content, Wait 
   std::error_code missing;
   const std::filesystem::path linked = std::filesystem::canonical(path, missing);
   const std::string target = missing ? path : linked.string();
+  if (std::string fault = faultOfKind(target); !fault.empty()) return fault;
   std::string temporary = target + ".XXXXXX";
   const Descriptor file(mkstemp(temporary.data()));
   if (!file) return std::strerror(errno);
@@ -67,12 +68,12 @@ bool syncFolder(const std::filesystem::path& file) {
 }
 
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes) {
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-  if (!file) return ParseError{std::strerror(errno)};
+  const OpenedFile opened = openToRead(path);
+  if (!opened.file) return ParseError{opened.fault};
   std::string content(maxBytes + 1, '\0');
-  content.resize(std::fread(content.data(), 1, content.size(), file.get()));
-  if (std::ferror(file.get()) != 0) return ParseError{std::strerror(errno)};
+  const std::optional<std::size_t> got = readNext(opened.file, content.data(), content.size());
+  if (!got) return ParseError{std::strerror(errno)};
+  content.resize(*got);
   return content;
 }
 

@@ -10,12 +10,13 @@
 
 namespace platon {
 
-/// The content of a file, of which at most one byte more than `maxBytes` is read. On failure the reason of the system.
+/// The content of a regular file, of which at most one byte more than `maxBytes` is read. On failure why it cannot be
+/// opened, as openToRead says it, or the reason of the system. Never waits for another program.
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes);
 
 /// Replaces the content of a file: at any time the file holds all of the old content or all of the new one, also after
 /// a power failure. Keeps the access rights of the file, and a symbolic link to it; only its owner may read a new file.
-/// Returns the reason of the system if that fails, or an empty text. May wait for the disk.
+/// Replaces no named pipe and no device. Returns why that failed, or an empty text. May wait for the disk.
 std::string replaceTextFile(const std::string& path, std::string_view content);
 
 /// As above, but everybody may read a new file, whatever the umask: for what another program publishes.

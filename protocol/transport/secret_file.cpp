@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <string_view>
+#include <variant>
 
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
@@ -21,21 +21,20 @@ namespace {
   throw ProgramError(ProgramError::kUsage, path + ": error: " + why);
 }
 
-[[noreturn]] void refuseToRead(const std::string& path, int fault) {
-  refuseFile(path, std::string(std::strerror(fault)) + "; name a readable file");
-}
-
 [[noreturn]] void refuseToCreate(const std::string& path, int fault) {
   refuseFile(path, std::string("cannot be created: ") + std::strerror(fault) + "; name a file in a writable folder");
 }
 
+// Most bytes of a file with a secret.
+constexpr std::size_t kMaxSecretBytes = 4096;
+
 std::string firstLine(const std::string& path) {
-  errno = 0;
-  std::ifstream file(path);
-  std::string line;
-  if (!file) refuseToRead(path, errno);
-  std::getline(file, line);
-  if (file.bad()) refuseToRead(path, errno);
+  const auto read = readTextFile(path, kMaxSecretBytes);
+  if (const auto* error = std::get_if<ParseError>(&read)) refuseFile(path, error->what + "; name a readable file");
+  const auto& text = std::get<std::string>(read);
+  if (text.size() > kMaxSecretBytes)
+    refuseFile(path, "it has more than " + std::to_string(kMaxSecretBytes) + " bytes; name a file with one line");
+  std::string line = text.substr(0, text.find('\n'));
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return line;
 }

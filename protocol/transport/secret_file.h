@@ -6,8 +6,8 @@
 
 namespace platon {
 
-/// The password in the first line of a file. Throws ProgramError (kUsage) if the file cannot be read or the line is
-/// empty.
+/// The password in the first line of a regular file of at most 4096 bytes. Throws ProgramError (kUsage) if the file
+/// cannot be read, is something else or larger, or if the line is empty.
 std::string readPasswordFile(const std::string& path);
 
 /// The server's identity in a file; creates the file, readable only by its owner, if it is missing. Throws ProgramError

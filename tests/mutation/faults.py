@@ -3,6 +3,7 @@
 from client_faults import CLIENT_FAULTS
 from event_faults import EVENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
+from file_faults import FILE_FAULTS
 from game_faults import GAME_FAULTS
 from household_faults import HOUSEHOLD_FAULTS
 from ideal_faults import IDEAL_FAULTS
@@ -368,6 +369,7 @@ FAULTS = [
     *NAME_FAULTS,
     *SERVER_FAULTS,
     *LIST_FAULTS,
+    *FILE_FAULTS,
     *LEVEL_FAULTS,
     *SERVICE_FAULTS,
     *CLIENT_FAULTS,

@@ -3,23 +3,26 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
+#include "protocol/files/regular_file.h"
 #include "tests/sim/sim_options.h"
 
 namespace platon::sim {
 
 std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t maxBytes) {
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  const OpenedFile opened = openToRead(path, Pipes::kRead);
   std::vector<std::uint8_t> bytes;
-  for (std::size_t got = 1; file != nullptr && got != 0;) {
+  std::optional<std::size_t> got = opened.file ? std::optional<std::size_t>(1) : std::nullopt;
+  while (got && *got != 0) {
     const std::size_t had = bytes.size();
     bytes.resize(std::min(maxBytes, had + (std::size_t{1} << 16)));
-    got = std::fread(bytes.data() + had, 1, bytes.size() - had, file.get());
-    bytes.resize(had + got);
+    got = readNext(opened.file, bytes.data() + had, bytes.size() - had);
+    bytes.resize(had + got.value_or(0));
   }
-  if (file != nullptr && std::ferror(file.get()) == 0) return bytes;
-  throw UsageError("cannot read '" + path + "': " + std::strerror(errno));
+  if (got) return bytes;
+  const std::string reason = opened.file ? std::strerror(errno) : opened.fault;
+  throw UsageError("cannot read '" + path + "': " + reason + "; name a readable file");
 }
 
 OutputFile::OutputFile(const std::string& path, Mode mode)

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -171,7 +172,8 @@ TEST_F(SettingsFileTest, AFileThatCannotBeReadAsAWholeIsNotWritten) {
   testing::internal::CaptureStderr();
   SettingsFile file(folder_);
   const Settings settings = file.load();
-  EXPECT_EQ(file.fault(), path_.string() + " is larger than 1 MiB; the settings are not saved");
+  EXPECT_EQ(file.fault(),
+            path_.string() + " is larger than 1 MiB; remove it or what it need not hold; the settings are not saved");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "platon-client: " + file.fault() + "\n");
   EXPECT_EQ(settings.text(), Settings().text());
   file.save(settings);
@@ -181,7 +183,9 @@ TEST_F(SettingsFileTest, AFileThatCannotBeReadAsAWholeIsNotWritten) {
   testing::internal::CaptureStderr();
   SettingsFile folder(folder_);
   folder.load();
-  EXPECT_EQ(folder.fault(), path_.string() + " cannot be read: Is a directory; the settings are not saved");
+  EXPECT_EQ(folder.fault(),
+            path_.string() +
+                " cannot be read: Is a directory; remove it or make it a readable file; the settings are not saved");
   testing::internal::GetCapturedStderr();
 }
 
@@ -228,6 +232,18 @@ TEST_F(SettingsFileTest, WithoutAFolderNothingIsSaved) {
   testing::internal::CaptureStderr();
   file.save(file.load());
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(SettingsFileTest, APipeInPlaceOfTheFileIsNotWaitedFor) {
+  fs::create_directories(folder_);
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  SettingsFile file(folder_);
+  EXPECT_EQ(file.load().text(), Settings().text());
+  EXPECT_EQ(file.fault(), path_.string() +
+                              " cannot be read: it is a pipe, not a regular file; remove it or make it a "
+                              "readable file; the settings are not saved");
+  file.save(Settings());
+  EXPECT_TRUE(fs::is_fifo(path_));
 }
 
 }  // namespace

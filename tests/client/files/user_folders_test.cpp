@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
@@ -70,6 +71,15 @@ TEST_F(UserFoldersTest, PicturesGoWhereTheUserKeepsThem) {
   EXPECT_EQ(picturesFolder(), folder / "Bilder");
   pictures.set("/pictures");
   EXPECT_EQ(picturesFolder(), "/pictures");
+}
+
+TEST_F(UserFoldersTest, APipeInPlaceOfTheNamesOfFoldersIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const EnvironmentVariable pictures("XDG_PICTURES_DIR", std::nullopt);
+  home_.set(folder.path());
+  std::filesystem::create_directories(folder / ".config");
+  ASSERT_EQ(mkfifo((folder / ".config/user-dirs.dirs").c_str(), 0600), 0);
+  EXPECT_EQ(picturesFolder(), folder / "Pictures");
 }
 
 }  // namespace

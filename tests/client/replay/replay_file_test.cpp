@@ -37,10 +37,11 @@ TEST(ReplayFile, APipeIsNotWaitedFor) {
   const TemporaryFolder folder;
   const std::string pipe = (folder / "pipe").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(std::get<std::string>(readReplay(pipe)), pipe + ": is no file");
+  EXPECT_EQ(std::get<std::string>(readReplay(pipe)), pipe + ": cannot be read: it is a pipe, not a regular file");
   EXPECT_FALSE(readRecordingHeadOf(pipe));
-  EXPECT_EQ(readRecordingFacts(pipe).note, "is no file");
-  EXPECT_EQ(std::get<std::string>(readReplay(folder.path())), folder.path().string() + ": is no file");
+  EXPECT_EQ(readRecordingFacts(pipe).note, "cannot be read: it is a pipe, not a regular file");
+  EXPECT_EQ(std::get<std::string>(readReplay(folder.path())),
+            folder.path().string() + ": cannot be read: Is a directory");
 }
 
 TEST(ReplayFile, AStopEndsTheReading) {

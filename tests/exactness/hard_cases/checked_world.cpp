@@ -23,7 +23,7 @@ std::shared_ptr<const Level> readLevel(const std::string& name) {
 
 std::string readSceneFile(const std::string& name) {
   std::string fault;
-  const auto text = readLevelFile("tests/exactness/hard_cases/scenes/" + name, fault);
+  const auto text = readInputFile("tests/exactness/hard_cases/scenes/" + name, kMaxLevelBytes, fault);
   if (!text) throw std::runtime_error(fault);
   return *text;
 }

@@ -58,10 +58,11 @@ TEST_F(CheckCommandTest, PrintsEveryErrorOfEveryFile) {
 TEST_F(CheckCommandTest, UnreadableFilesAreUsageErrors) {
   const ProcessResult missing = run("check nowhere.txt");
   EXPECT_EQ(missing.exitCode, 2);
-  EXPECT_EQ(missing.errors, "platon-level: cannot read 'nowhere.txt': No such file or directory\n");
+  EXPECT_EQ(missing.errors,
+            "platon-level: cannot read 'nowhere.txt': No such file or directory; name a readable file\n");
   const ProcessResult folder = run("check .");
   EXPECT_EQ(folder.exitCode, 2);
-  EXPECT_EQ(folder.errors, "platon-level: cannot read '.': Is a directory\n");
+  EXPECT_EQ(folder.errors, "platon-level: cannot read '.': Is a directory; name a readable file\n");
   EXPECT_EQ(run("check invalid.txt nowhere.txt").exitCode, 2);
 }
 

@@ -104,7 +104,8 @@ TEST_F(PreviewCommandTest, InvalidArgumentsAreUsageErrors) {
   }
   const ProcessResult missing = run("preview nowhere.txt -o picture.png");
   EXPECT_EQ(missing.exitCode, 2);
-  EXPECT_EQ(missing.errors, "platon-level: cannot read 'nowhere.txt': No such file or directory\n");
+  EXPECT_EQ(missing.errors,
+            "platon-level: cannot read 'nowhere.txt': No such file or directory; name a readable file\n");
   EXPECT_FALSE(exists("picture.png"));
 }
 

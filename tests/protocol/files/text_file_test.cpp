@@ -128,5 +128,15 @@ TEST_F(TextFileTest, OnFailureTheFileIsAsBeforeAndNothingIsLeft) {
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
+TEST_F(TextFileTest, WhatIsNoRegularFileIsNeitherReadNorReplaced) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_EQ(std::get<ParseError>(readTextFile(path_, 100)).what, "it is a pipe, not a regular file");
+  EXPECT_EQ(replaceTextFile(path_, "new"), "it is a pipe, not a regular file");
+  EXPECT_TRUE(fs::is_fifo(path_));
+  const std::string link = folder_ / "link";
+  fs::create_symlink("/dev/zero", link);
+  EXPECT_EQ(std::get<ParseError>(readTextFile(link, 100)).what, "it is a device, not a regular file");
+}
+
 }  // namespace
 }  // namespace platon::text_file_test

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -172,6 +173,24 @@ TEST(SecretFile, TheCheckOfAKeyRefusesWhatReadingItWouldAndCreatesNothing) {
     EXPECT_TRUE(refusal.starts_with(refused + ": error: ")) << refusal;
     EXPECT_EQ(refusal, errorOf([&] { readKeyFile(refused); }));
   }
+}
+
+TEST(SecretFile, WhatIsNoRegularFileOrTooLargeIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "secret";
+  const auto expectRefused = [&path](const std::string& why) {
+    EXPECT_EQ(errorOf([&] { readPasswordFile(path); }), path + ": error: " + why);
+    EXPECT_EQ(errorOf([&] { readKeyFile(path); }), path + ": error: " + why);
+    std::filesystem::remove(path);
+  };
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  expectRefused("it is a pipe, not a regular file; name a readable file");
+  std::filesystem::create_symlink("/dev/zero", path);
+  expectRefused("it is a device, not a regular file; name a readable file");
+  writeText(path, "secret\n" + std::string(4090, 'x'));
+  expectRefused("it has more than 4096 bytes; name a file with one line");
+  writeText(path, "secret\n" + std::string(4089, 'x'));
+  EXPECT_EQ(readPasswordFile(path), "secret");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "server/app/config_check.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -146,6 +147,25 @@ TEST_F(ConfigCheckTest, APortAndAConsoleThatAreInUseAreNoErrors) {
   EXPECT_EQ(check.exitCode, 0);
   EXPECT_EQ(check.errors, std::vector<std::string>{});
   EXPECT_TRUE(std::filesystem::exists(at("console")));
+}
+
+TEST_F(ConfigCheckTest, APipeInPlaceOfAnyFileIsNamedAndNotWaitedFor) {
+  for (const char* name : {"a.level", "key", "password", "bans", "best", "list"})
+    ASSERT_EQ(mkfifo(at(name).c_str(), 0600), 0);
+  const ConfigCheck check = this->check(
+      "levels = [\"a.level\"]\nkey-file = \"key\"\npassword-file = \"password\"\nban-file = \"bans\"\n"
+      "best-times = \"best\"\nannounce = \"list\"\nannounce-as = \"a.example\"\n");
+  EXPECT_EQ(check.exitCode, ProgramError::kUsage);
+  const std::string fault = "it is a pipe, not a regular file; ";
+  EXPECT_EQ(check.errors,
+            (std::vector<std::string>{
+                "cannot read the level '" + at("a.level") + "': " + fault + "name a readable level file",
+                at("bans") + ": error: " + fault + "name a readable ban file; it may be empty",
+                at("best") + ": error: " + fault + "name a file that can be read and written, in a folder that exists",
+                at("key") + ": error: " + fault + "name a readable file",
+                at("password") + ": error: " + fault + "name a readable file",
+                "cannot announce the server in '" + at("list") + "': " + fault +
+                    "correct the file or name another one after --announce"}));
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "server/app/config_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -128,6 +131,19 @@ TEST_F(ConfigFileTest, AFileThatCannotBeReadIsNamed) {
   writeText(file_, std::string(1024 * 1024 + 1, '\n'));
   EXPECT_EQ(readConfigFile(file_, options),
             std::vector<std::string>{file_ + ": error: the file has more than 1048576 bytes"});
+}
+
+TEST_F(ConfigFileTest, WhatIsNoRegularFileIsRefused) {
+  const auto errorOfFile = [this] {
+    ServerOptions options;
+    const std::vector<std::string> errors = readConfigFile(file_, options);
+    std::filesystem::remove(file_);
+    return errors.size() == 1 ? errors.front() : "not one error";
+  };
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_EQ(errorOfFile(), file_ + ": error: it is a pipe, not a regular file; name a readable file after --config");
+  std::filesystem::create_symlink("/dev/zero", file_);
+  EXPECT_EQ(errorOfFile(), file_ + ": error: it is a device, not a regular file; name a readable file after --config");
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "tests/sim/verify/verify_many.h"
 
-#include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -12,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "protocol/files/regular_file.h"
 #include "tests/sim/files.h"
 #include "tests/sim/sim_options.h"
 #include "tests/sim/verify/verification.h"
@@ -41,17 +40,12 @@ void addRecordingsIn(const fs::path& folder, std::vector<std::string>& recording
 // Keeps servers from removing a file, and tells whether one is writing it.
 class SharedLock {
  public:
-  explicit SharedLock(const std::string& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~SharedLock() {
-    if (file_ >= 0) ::close(file_);
-  }
-  SharedLock(const SharedLock&) = delete;
-  SharedLock& operator=(const SharedLock&) = delete;
+  explicit SharedLock(const std::string& path) : file_(openToRead(path).file) {}
 
-  bool refused() const { return file_ >= 0 && flock(file_, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK; }
+  bool refused() const { return file_ && flock(file_.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK; }
 
  private:
-  int file_;
+  Descriptor file_;
 };
 
 struct Result {
