@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "protocol/files/descriptor.h"
 #include "protocol/session_token.h"
 #include "protocol/transport/server_address.h"
 
@@ -28,7 +29,7 @@ class SessionFile {
 
  private:
   std::filesystem::path path_;
-  int handle_ = -1;  // -1: none
+  Descriptor file_;  // none: stores nothing
 };
 
 }  // namespace platon

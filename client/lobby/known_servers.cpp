@@ -1,17 +1,18 @@
 #include "client/lobby/known_servers.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <variant>
 
+#include "protocol/files/private_file.h"
+#include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
 
@@ -51,46 +52,43 @@ bool isSkipped(const std::string& line) {
   throw ProgramError(ProgramError::kUsage, place + ": error: " + why);
 }
 
-// A file that no other client changes meanwhile. Where the file system has no locks, it is not locked.
-class LockedFile {
- public:
-  explicit LockedFile(const std::filesystem::path& path)
-      : handle_(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH)) {
-    while (handle_ >= 0 && flock(handle_, LOCK_EX) != 0 && errno == EINTR) {
-    }
-  }
-  ~LockedFile() {
-    if (handle_ >= 0) close(handle_);
-  }
-  LockedFile(const LockedFile&) = delete;
-  LockedFile& operator=(const LockedFile&) = delete;
+// Most bytes of the file: thousands of servers.
+constexpr std::size_t kMaxKnownBytes = std::size_t{1} << 20;
 
-  // Adds the whole text or, on a full disk, nothing.
-  void append(std::string_view text) const {
-    struct stat before {};
-    if (handle_ < 0 || fstat(handle_, &before) != 0) return;
-    const ssize_t count = write(handle_, text.data(), text.size());
-    if (count >= 0 && static_cast<std::size_t>(count) == text.size()) return;
-    (void)!ftruncate(handle_, before.st_size);
-  }
+// The file, which no other client changes meanwhile. Where the file system has no locks, it is not locked. A player may
+// keep the file elsewhere and have a symbolic link to it here.
+OpenedFile lockedFile(const std::filesystem::path& path) {
+  std::error_code missing;
+  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
+  const std::string target = (missing ? path : linked).string();
+  OpenedFile opened = openPrivateFile(target);
+  if (opened.file && lockFile(opened.file) == LockResult::kHeld) return {Descriptor(), lockFault(target)};
+  return opened;
+}
 
- private:
-  int handle_;
-};
+// Adds the whole text or, on a full disk, nothing. Returns the reason of the system then.
+std::string append(const Descriptor& file, std::string_view text) {
+  const off_t end = lseek(file.number(), 0, SEEK_END);
+  errno = ENOSPC;  // for a text that is written in part
+  if (end >= 0 && write(file.number(), text.data(), text.size()) == std::ssize(text)) return {};
+  const std::string fault = std::strerror(errno);
+  if (end >= 0) (void)!ftruncate(file.number(), end);
+  return fault;
+}
 
 }  // namespace
 
 std::string KnownServers::read() const {
   std::error_code ignored;
   if (std::filesystem::status(file_, ignored).type() == std::filesystem::file_type::not_found) return {};
-  errno = 0;
-  std::ifstream file(file_);
-  std::ostringstream text;
-  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
-  if (!file.is_open() || file.bad() || text.fail()) {
-    refuse(file_.string(), std::string(std::strerror(errno)) + "; make the file of the known servers readable");
-  }
-  return text.str();
+  auto read = readTextFile(file_.string(), kMaxKnownBytes);
+  if (const auto* error = std::get_if<ParseError>(&read))
+    refuse(file_.string(), error->what + "; make the file of the known servers readable");
+  auto& text = std::get<std::string>(read);
+  if (text.size() > kMaxKnownBytes)
+    refuse(file_.string(),
+           "it has more than " + std::to_string(kMaxKnownBytes) + " bytes; remove lines that you do not need");
+  return std::move(text);
 }
 
 std::optional<CryptoKey> KnownServers::findIn(const std::string& text, const ServerAddress& server) const {
@@ -112,19 +110,26 @@ std::optional<CryptoKey> KnownServers::findIn(const std::string& text, const Ser
 
 std::optional<CryptoKey> KnownServers::find(const ServerAddress& server) const { return findIn(read(), server); }
 
-void KnownServers::remember(const ServerAddress& server, const CryptoKey& key) const {
-  if (file_.empty()) return;
+std::string KnownServers::remember(const ServerAddress& server, const CryptoKey& key) const {
+  if (file_.empty()) return {};
   std::error_code ignored;  // the file cannot be opened then
   std::filesystem::create_directories(file_.parent_path(), ignored);
-  const LockedFile file(file_);
+  const OpenedFile opened = lockedFile(file_);
+  if (!opened.file) return faultOf(opened.fault);
   std::string text;
   try {
     text = read();
-    if (findIn(text, server)) return;
-  } catch (const ProgramError&) {
-    return;  // `find` has told the player, or will at the next start
+    if (findIn(text, server)) return {};
+  } catch (const ProgramError& error) {
+    return error.what();
   }
-  file.append((text.empty() || text.ends_with('\n') ? "" : "\n") + server.text() + " " + textOf(key) + "\n");
+  const std::string line = server.text() + " " + textOf(key) + "\n";
+  const std::string fault = append(opened.file, (text.empty() || text.ends_with('\n') ? "" : "\n") + line);
+  return fault.empty() ? fault : faultOf(fault);
+}
+
+std::string KnownServers::faultOf(const std::string& reason) const {
+  return "the key of the server is not kept: " + file_.string() + ": " + reason;
 }
 
 }  // namespace platon

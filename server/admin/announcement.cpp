@@ -1,54 +1,31 @@
 #include "server/admin/announcement.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <variant>
 
-#include "protocol/files/descriptor.h"
+#include "protocol/files/private_file.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 
 namespace platon {
 namespace {
 
-constexpr std::chrono::milliseconds kLockInterval{20};
+constexpr const char* kLockRemedy = "; remove it, and let the server write to its folder";
 
 // Lets one server at a time change a file. The lock is on a file beside it, because the file itself is replaced.
-class FileLock {
- public:
-  explicit FileLock(const std::string& file)
-      : lock_(::open((file + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644)) {
-    if (!lock_)
-      fault_ = std::strerror(errno);
-    else
-      take(file);
-  }
-
-  const std::string& fault() const { return fault_; }
-
- private:
-  // A lock that is awaited without a limit would keep the thread for ever if its holder does.
-  void take(const std::string& file) {
-    for (auto left = Announcement::kLockTime; flock(lock_.number(), LOCK_EX | LOCK_NB) != 0; left -= kLockInterval) {
-      if (errno != EWOULDBLOCK && errno != EINTR) fault_ = std::strerror(errno);
-      if (left <= kLockInterval) fault_ = "another program holds the lock on '" + file + ".lock'";
-      if (!fault_.empty()) return;
-      std::this_thread::sleep_for(kLockInterval);
-    }
-  }
-
-  Descriptor lock_;
-  std::string fault_;
-};
+OpenedFile lockBeside(const std::string& file) {
+  const std::string path = file + ".lock";
+  OpenedFile opened = openPrivateFile(path);
+  if (!opened.file) return {Descriptor(), "'" + path + "' cannot be opened: " + opened.fault + kLockRemedy};
+  const LockResult result = lockFile(opened.file);
+  if (result == LockResult::kHeld) return {Descriptor(), lockFault(path)};
+  if (result == LockResult::kNoLocks) return {Descriptor(), "the file system of '" + path + "' has no locks"};
+  return opened;
+}
 
 // The servers in a file, none if it does not exist; or what is wrong with it.
 std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string& file) {
@@ -68,8 +45,8 @@ std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string&
 // Puts `own`, a list with the entry at this address or with none, in place of the entry that a file has there. Returns
 // why that failed, or an empty text.
 std::string replaceEntry(const std::string& file, const ServerAddress& address, std::string_view own) {
-  const FileLock lock(file);
-  if (!lock.fault().empty()) return lock.fault();
+  const OpenedFile lock = lockBeside(file);
+  if (!lock.file) return lock.fault;
   auto read = serversIn(file);
   if (const auto* error = std::get_if<ParseError>(&read)) return error->what;
   auto& servers = std::get<std::vector<ListedServer>>(read);

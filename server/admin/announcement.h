@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +16,7 @@ namespace platon {
 /// The entry of a server in a list of servers (protocol/transport/server_list.h), a file that several servers of this
 /// machine may share and that any web server can publish. What the others wrote is kept, also where they have the same
 /// key: the entry of this server is the one at its address. A thread writes the file, so nothing waits for the disk or
-/// for another server that holds the lock of the file.
+/// for another server that holds the lock of the file, which a change awaits for kLockTime at most.
 class Announcement {
  public:
   /// How a change of the entry ended.
@@ -27,9 +26,6 @@ class Announcement {
 
     friend bool operator==(const Outcome&, const Outcome&) = default;
   };
-
-  /// Longest time that a change waits for another server to finish its own. Below FileWriter::kFinishTime.
-  static constexpr std::chrono::milliseconds kLockTime{3000};
 
   /// `file` is created, readable by all, if it is missing; players join at `address`. Throws ProgramError if the file
   /// holds something else than a list, or an entry that is damaged.

@@ -106,7 +106,8 @@ void MatchPlay::update(Moment now, const Controls& controls) {
 // `KnownServers::remember` looks into its file, so once is enough.
 void MatchPlay::rememberServer() {
   if (serverRemembered_ || !client_.welcomed() || !client_.identity()) return;
-  knownServers_.remember(server_, *client_.identity());
+  const std::string fault = knownServers_.remember(server_, *client_.identity());
+  if (!fault.empty()) std::fprintf(stderr, "platon-client: %s\n", fault.c_str());
   serverRemembered_ = true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
 #include "tests/support/files.h"
+#include "tests/support/process.h"
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
@@ -135,6 +137,61 @@ TEST(KnownServers, WithoutAFileNothingIsRemembered) {
   const KnownServers servers{std::filesystem::path()};
   servers.remember(kHere, CryptoKey{1});
   EXPECT_EQ(servers.find(kHere), std::nullopt);
+}
+
+TEST(KnownServers, TheFileIsForItsOwnerOnly) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  servers.remember(kHere, CryptoKey{1});
+  using std::filesystem::perms;
+  EXPECT_EQ(std::filesystem::status(servers.file()).permissions(), perms(0600));
+  std::filesystem::permissions(servers.file(), perms(0644));
+  servers.remember(kThere, CryptoKey{2});
+  EXPECT_EQ(std::filesystem::status(servers.file()).permissions(), perms(0600)) << "as earlier versions made it";
+  EXPECT_EQ(servers.find(kHere), CryptoKey{1});
+}
+
+TEST(KnownServers, ALockThatAnotherProgramKeepsIsNamed) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  servers.remember(kThere, CryptoKey{2});
+  const std::string path = servers.file().string();
+  Process holder({"flock", path, "sh", "-c", "echo locked && exec sleep 60"});
+  holder.waitForOutput("locked");
+  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "the key of the server is not kept: " + path +
+                                                       ": another program holds the lock on '" + path +
+                                                       "'; end that program or remove the file");
+  EXPECT_EQ(servers.find(kHere), std::nullopt);
+}
+
+TEST(KnownServers, ALinkIsFollowedToAFileAndMakesNone) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  std::filesystem::create_symlink("elsewhere", servers.file());
+  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "the key of the server is not kept: " + servers.file().string() +
+                                                       ": it is a symbolic link, not a regular file");
+  EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
+  writeText(folder / "elsewhere", "");
+  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "");
+  EXPECT_EQ(servers.find(kHere), CryptoKey{1});
+  EXPECT_TRUE(std::filesystem::is_symlink(servers.file()));
+}
+
+TEST(KnownServers, WhatIsNoRegularFileOrTooLargeIsAnError) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  const std::string path = servers.file().string();
+  const auto expectRefused = [&](const std::string& why) {
+    EXPECT_EQ(errorOf(servers), path + ": error: " + why);
+    EXPECT_NE(servers.remember(kHere, CryptoKey{1}), "");
+    std::filesystem::remove(path);
+  };
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  expectRefused("it is a pipe, not a regular file; make the file of the known servers readable");
+  std::filesystem::create_symlink("/dev/zero", path);
+  expectRefused("it is a device, not a regular file; make the file of the known servers readable");
+  writeText(path, std::string(std::size_t{1} << 20, '\n') + "\n");
+  expectRefused("it has more than 1048576 bytes; remove lines that you do not need");
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "tests/support/environment_variable.h"
 #include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon::refusals_test {
 namespace {
@@ -74,6 +78,25 @@ TEST(Programs, PrintTheirVersionAndHelp) {
     EXPECT_EQ(help.wait(), 0);
     EXPECT_NE(help.output().find("--version"), std::string::npos) << help.output();
     EXPECT_EQ(help.errors(), "");
+  }
+}
+
+// The start of a program would wait for somebody who writes to the pipe.
+TEST(Programs, RefuseAPipeInPlaceOfAFile) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "platon/known_servers";
+  std::filesystem::create_directory(folder / "platon");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const EnvironmentVariable data("XDG_DATA_HOME", folder.path());
+  const std::vector<std::vector<std::string>> commands{
+      platonCommand("platon-server", {"--config", pipe}), platonCommand("platon-server", {"--key-file", pipe}),
+      platonCommand("platon-client", {"127.0.0.1:1", "--offscreen"}),
+      platonCommand("platon-client", {"--offscreen", "--level", pipe}),
+      platonCommand("platon-bot", {"127.0.0.1:1", "--count", "1", "--seconds", "1", "--password-file", pipe})};
+  for (const std::vector<std::string>& command : commands) {
+    const ProcessResult result = runProcess(command);
+    EXPECT_EQ(result.exitCode, 2) << command.front();
+    EXPECT_NE(result.errors.find("it is a pipe, not a regular file; "), std::string::npos) << result.errors;
   }
 }
 

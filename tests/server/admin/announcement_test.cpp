@@ -149,7 +149,8 @@ TEST_F(AnnouncementTest, AStuckLockDelaysNobodyAndIsTriedAgain) {
   EXPECT_EQ(ann.poll(now), std::nullopt) << "whoever had waited for the lock would know by now";
   std::optional<Outcome> outcome;
   EXPECT_TRUE(waitUntil([&] { return (outcome = ann.poll(now)).has_value(); }));
-  EXPECT_EQ(outcome, (Outcome{true, "another program holds the lock on '" + file_ + ".lock'"}));
+  EXPECT_EQ(outcome, (Outcome{true, "another program holds the lock on '" + file_ +
+                                        ".lock'; end that program or remove the file"}));
   lock = Descriptor();
   EXPECT_TRUE(waitUntil([&] { return (outcome = ann.poll(now + FileWriter::kRetryInterval)).has_value(); }));
   EXPECT_EQ(outcome, (Outcome{true, ""}));
@@ -183,7 +184,9 @@ TEST_F(AnnouncementTest, AFileThatCannotBeReachedIsRefused) {
 
 TEST_F(AnnouncementTest, AFolderThatIsMissingIsNamedByTheSystem) {
   Announcement ann(folder_ / "none/servers.json", first_, parseServerAddress("a.example:1"));
-  EXPECT_EQ(enter(ann, "Ann"), "No such file or directory");
+  EXPECT_EQ(enter(ann, "Ann"), "'" + (folder_ / "none/servers.json.lock").string() +
+                                   "' cannot be opened: No such file or directory; remove it, and let the server write "
+                                   "to its folder");
 }
 
 // Without the lock, servers that start at the same time would lose entries.
@@ -207,6 +210,31 @@ TEST_F(AnnouncementTest, NeedsAnAddressIfThereIsAFile) {
   std::optional<Announcement> ann = announcementOf(file_, "play.example.org", first_);
   EXPECT_EQ(enter(*ann, "Example"), "");
   EXPECT_THAT(listed(), ElementsAre("Example play.example.org:7777"));
+}
+
+// Others could hold the lock for ever otherwise.
+TEST_F(AnnouncementTest, TheLockIsForItsOwnerOnly) {
+  Announcement ann = announcement(first_, "a.example:1");
+  EXPECT_EQ(enter(ann, "Ann"), "");
+  struct stat status {};
+  ASSERT_EQ(stat((file_ + ".lock").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0600u);
+}
+
+TEST_F(AnnouncementTest, ALockThatSomebodyHasLinkedElsewhereIsRefused) {
+  std::filesystem::create_symlink(folder_ / "victim", file_ + ".lock");
+  Announcement ann = announcement(first_, "a.example:1");
+  EXPECT_EQ(enter(ann, "Ann"), "'" + file_ +
+                                   ".lock' cannot be opened: it is a symbolic link, not a regular file; remove it, and "
+                                   "let the server write to its folder");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "victim"));
+}
+
+TEST_F(AnnouncementTest, APipeInPlaceOfTheListIsRefused) {
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_EQ(refusal(), "cannot announce the server in '" + file_ +
+                           "': it is a pipe, not a regular file; correct the file or name another one after "
+                           "--announce");
 }
 
 }  // namespace

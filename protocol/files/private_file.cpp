@@ -1,0 +1,53 @@
+#include "protocol/files/private_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+namespace platon {
+namespace {
+
+constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
+constexpr mode_t kOthers = S_IRWXG | S_IRWXO;
+constexpr std::chrono::milliseconds kLockInterval{20};
+
+// A file with a second name may be anybody's: a stranger can give a name in his folder to it.
+bool keepFromOthers(const Descriptor& file) {
+  struct stat status {};
+  if (fstat(file.number(), &status) != 0) return false;
+  const bool mine = status.st_uid == geteuid() && status.st_nlink == 1;
+  return !mine || (status.st_mode & kOthers) == 0 || fchmod(file.number(), status.st_mode & kOwnerOnly) == 0;
+}
+
+}  // namespace
+
+OpenedFile openPrivateFile(const std::string& path) {
+  constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+  Descriptor file(open(path.c_str(), kFlags, kOwnerOnly));
+  if (!file && errno == ELOOP) return {Descriptor(), "it is a symbolic link, not a regular file"};
+  if (!file) return {Descriptor(), std::strerror(errno)};
+  if (std::string fault = faultOfKind(file); !fault.empty()) return {Descriptor(), std::move(fault)};
+  if (!keepFromOthers(file)) return {Descriptor(), std::strerror(errno)};
+  return {std::move(file), {}};
+}
+
+LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit) {
+  for (auto left = limit; flock(file.number(), LOCK_EX | LOCK_NB) != 0; left -= kLockInterval) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return LockResult::kNoLocks;
+    if (left < kLockInterval) return LockResult::kHeld;
+    std::this_thread::sleep_for(kLockInterval);
+  }
+  return LockResult::kLocked;
+}
+
+std::string lockFault(const std::string& path) {
+  return "another program holds the lock on '" + path + "'; end that program or remove the file";
+}
+
+}  // namespace platon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "protocol/files/descriptor.h"
+#include "protocol/files/regular_file.h"
+
+namespace platon {
+
+/// Opens a file that this program writes for itself, for reading and writing. Makes it if it is missing. Only its owner
+/// may read it: an older file of this user that others may read is changed. Only a regular file is opened, never a
+/// symbolic link, which somebody else may have put there. Never waits.
+OpenedFile openPrivateFile(const std::string& path);
+
+/// Whether a file was locked.
+enum class LockResult : std::uint8_t {
+  kLocked,
+  kHeld,     ///< another program holds the lock
+  kNoLocks,  ///< the file system has no locks
+};
+
+/// Longest time that a program waits for another one to unlock a file. Below FileWriter::kFinishTime.
+inline constexpr std::chrono::milliseconds kLockTime{2000};
+
+/// Locks a file as flock does until it is closed. Tries again and again for at most `limit`, so a program that keeps
+/// the lock delays this one only so long.
+LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit = kLockTime);
+
+/// The sentence for a lock on the file at this path that another program holds: what is wrong and how to mend it.
+std::string lockFault(const std::string& path);
+
+}  // namespace platon
