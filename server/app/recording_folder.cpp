@@ -9,12 +9,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <system_error>
 #include <utility>
 
 #include "platon/game/game.h"
+#include "protocol/files/regular_file.h"
 #include "protocol/program_error.h"
 
 namespace platon {
@@ -76,12 +77,10 @@ std::vector<Recording> recordingsIn(const std::filesystem::path& folder) {
 
 // False also if a server is writing the file, which it has locked.
 bool removeFile(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-  if (file < 0) return false;
-  const bool locked = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  const bool removed = !locked && unlink(path.c_str()) == 0;
-  ::close(file);
-  return removed;
+  const OpenedFile opened = openToRead(path.string());
+  if (!opened.file) return false;
+  const bool locked = flock(opened.file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  return !locked && unlink(path.c_str()) == 0;
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
@@ -109,10 +108,10 @@ RecordingFolder::RecordingFolder(std::filesystem::path folder, std::uint64_t lim
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) refuse(folder_, "the folder cannot be created: " + error.message());
-  const std::filesystem::path trial = folder_ / ".platon-trial";
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(trial.c_str(), "wb"));
+  std::string trial = folder_ / ".platon-trial-XXXXXX";
+  const Descriptor file(mkostemp(trial.data(), O_CLOEXEC));
   if (!file) refuse(folder_, std::strerror(errno));
-  std::filesystem::remove(trial, error);
+  unlink(trial.c_str());
 }
 
 void RecordingFolder::write(const RecordingPiece& piece, Time now, std::vector<RecordingEvent>& events) {

@@ -368,7 +368,7 @@ SERVER_FAULTS = [
               "new recordings make room for old ones",
               "RecordingFolderTest.TheOldestRecordingsMakeRoomForNewOnes"),
     at_length("recording-of-another-server-removed", APP + "recording_folder.cpp",
-              "const bool removed = !locked && unlink", "const bool removed = unlink",
+              "return !locked && unlink", "return unlink",
               "a file that another server is writing is removed",
               "RecordingFolderTest.AFileThatAServerIsWritingIsNotRemoved"),
     at_length("queue-without-limit", APP + "recording_writer.cpp",

@@ -246,5 +246,20 @@ TEST_F(RecordingFolderTest, ServersThatShareAFolderKeepTheLimitTogether) {
   EXPECT_LE(largest, kLimit + 2 * (kLimit / 100));
 }
 
+// The server finds out whether it can write by making a file, which is never one of somebody else.
+TEST_F(RecordingFolderTest, TheTrialTouchesNoFileOfOthers) {
+  fs::create_directories(folder_);
+  writeText(temporary_ / "victim", "mine");
+  const std::vector<std::string> planted{".platon-trial", ".platon-trial-XXXXXX"};
+  for (const std::string& name : planted) fs::create_symlink(temporary_ / "victim", folder_ / name);
+  const RecordingFolder first(folder_, kNoLimit);
+  EXPECT_EQ(readText(temporary_ / "victim"), "mine");
+  EXPECT_EQ(names(), planted);
+  fs::remove(folder_ / ".platon-trial");
+  writeText(folder_ / ".platon-trial", "notes");
+  const RecordingFolder second(folder_, kNoLimit);
+  EXPECT_EQ(content(".platon-trial"), "notes");
+}
+
 }  // namespace
 }  // namespace platon::recording_folder_test
