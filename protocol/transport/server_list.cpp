@@ -11,9 +11,14 @@
 namespace platon {
 namespace {
 
-using Json = nlohmann::ordered_json;
+// Keeps the order in which the keys of an entry are written. An object of it that grows copies its values, each in a
+// recursion, so nothing is read into it.
+using WrittenJson = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr const char* kServers = "platonServers";
+// Most arrays and objects in each other. A list needs three.
+constexpr int kMaxDepth = 8;
 
 // What a server signs. A label has no line feed, nor has an address.
 std::string signedText(const ServerAddress& address, std::string_view name) {
@@ -52,6 +57,17 @@ void refuseTwins(const std::vector<ListedServer>& servers, const ListedServer& s
     throw std::invalid_argument("another entry has this address; leave one out");
 }
 
+// Leaves out what is nested too deeply, so that nothing which walks through the result has to go deeper.
+Json parse(std::string_view text, bool& tooDeep) {
+  using Event = Json::parse_event_t;
+  const auto keeps = [&tooDeep](int depth, Event event, const Json&) {
+    const bool begins = event == Event::array_start || event == Event::object_start;
+    tooDeep = tooDeep || (begins && depth >= kMaxDepth);
+    return !begins || depth < kMaxDepth;
+  };
+  return Json::parse(text, keeps, false);
+}
+
 }  // namespace
 
 ListedServer listedServer(const ServerIdentity& identity, const ServerAddress& address, std::string_view name) {
@@ -59,18 +75,22 @@ ListedServer listedServer(const ServerIdentity& identity, const ServerAddress& a
 }
 
 std::string serverListText(const std::vector<ListedServer>& servers) {
-  Json entries = Json::array();
+  WrittenJson entries = WrittenJson::array();
   for (const ListedServer& server : servers) {
     entries.push_back({{"address", server.address.text()},
                        {"name", server.name},
                        {"key", textOf(server.key)},
                        {"signature", textOf(server.signature)}});
   }
-  return Json{{kServers, entries}}.dump(2) + "\n";
+  return WrittenJson{{kServers, entries}}.dump(2) + "\n";
 }
 
 std::variant<ServerList, ParseError> readServerList(std::string_view text) {
-  const Json json = text.size() <= kMaxServerListBytes ? Json::parse(text, nullptr, false) : Json();
+  bool tooDeep = false;
+  const Json json = text.size() <= kMaxServerListBytes ? parse(text, tooDeep) : Json();
+  if (tooDeep)
+    return ParseError{"it has more than " + std::to_string(kMaxDepth) +
+                      " arrays and objects in each other; take them out"};
   const auto entries = json.find(kServers);
   if (entries == json.end() || !entries->is_array())
     return ParseError{"it is no list of servers: JSON of at most 512 KiB with the key \"platonServers\""};

@@ -27,6 +27,96 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+/// Finds what is nested so deeply in a text of TOML that the parser would overflow the stack: it makes a table in a
+/// table for each part of a key, and destroys them in a recursion. Knows of the language only where strings and
+/// comments end; where the text is not of this language, the parser stops at the same place or before.
+class NestingCheck {
+ public:
+  static constexpr int kMaxParts = 8;  ///< of a key or of the name of a table
+  static constexpr int kMaxDepth = 8;  ///< arrays and tables in each other
+
+  explicit NestingCheck(std::string_view text) : text_(text) {}
+
+  // Adds at most one error.
+  void run(Diagnostics& errors) {
+    while (at_ < text_.size()) {
+      const std::size_t from = at_;
+      step();
+      if (parts_ > kMaxParts)
+        return errors.error(position(from),
+                            "more than " + std::to_string(kMaxParts) + " parts are joined by dots; a key has one part");
+      if (depth_ > kMaxDepth)
+        return errors.error(position(from), "more than " + std::to_string(kMaxDepth) +
+                                                " lists and tables are in each other; a value is at most a list");
+    }
+  }
+
+ private:
+  void step() {
+    const char byte = text_[at_];
+    if (byte == '"' || byte == '\'') return skipString(byte);
+    if (byte == '#') return skipTo("\n");
+    ++at_;
+    if (byte == '.') ++parts_;
+    if (byte == '=' || byte == ',') parts_ = 1;
+    if (byte == '\n') endLine();
+    if (byte == '[' || byte == '{') open(byte);
+    if (byte == ']' || byte == '}') close();
+    if (byte != ' ' && byte != '\t' && byte != '\n') begins_ = false;
+  }
+
+  // A table begins with its name, whose brackets are closed in its line.
+  void open(char byte) {
+    name_ = name_ || (byte == '[' && begins_ && depth_ == 0);
+    ++depth_;
+    parts_ = 1;
+  }
+
+  void close() {
+    depth_ -= depth_ > 0 ? 1 : 0;
+    parts_ = 1;
+  }
+
+  void endLine() {
+    if (name_) depth_ = 0;
+    name_ = false;
+    begins_ = true;
+    parts_ = 1;
+  }
+
+  void skipTo(std::string_view end) { at_ = std::min(text_.find(end, at_), text_.size()); }
+
+  void skipString(char quote) {
+    const std::string three(3, quote);
+    begins_ = false;
+    if (!text_.substr(at_).starts_with(three)) return skipInLine(quote);
+    for (at_ += 3; at_ < text_.size() && !text_.substr(at_).starts_with(three);) skipOne(quote);
+    at_ = std::min(at_ + 3, text_.size());
+    for (int more = 0; more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;  // belong to the string
+  }
+
+  void skipInLine(char quote) {
+    for (++at_; at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n';) skipOne(quote);
+    if (at_ < text_.size() && text_[at_] == quote) ++at_;
+  }
+
+  // A character of a string. Those in double quotes have a backslash before a quote that does not end them.
+  void skipOne(char quote) { at_ = std::min(at_ + (quote == '"' && text_[at_] == '\\' ? 2 : 1), text_.size()); }
+
+  TextPosition position(std::size_t at) const {
+    const std::string_view before = text_.substr(0, at);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    return {static_cast<int>(lines) + 1, static_cast<int>(at - (before.rfind('\n') + 1)) + 1};
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int parts_ = 1;       // of a key, perhaps in quotes
+  int depth_ = 0;       // of brackets
+  bool begins_ = true;  // nothing but spaces in the line so far
+  bool name_ = false;   // in the name of a table
+};
+
 std::string listOfKeys() {
   std::string list;
   for (const ServerOption& option : serverOptions()) {
@@ -87,9 +177,7 @@ class KeyReader {
   Diagnostics& errors_;
 };
 
-}  // namespace
-
-std::vector<std::string> readConfig(std::string_view text, const std::string& file, ServerOptions& options) {
+std::vector<Diagnostic> parseConfig(std::string_view text, const std::string& file, ServerOptions& options) {
   Diagnostics errors;
   try {
     const toml::table table = toml::parse(text);
@@ -98,8 +186,18 @@ std::vector<std::string> readConfig(std::string_view text, const std::string& fi
   } catch (const toml::parse_error& error) {
     errors.error(positionOf(error.source().begin), printable(error.description()));
   }
+  return errors.take();
+}
+
+}  // namespace
+
+std::vector<std::string> readConfig(std::string_view text, const std::string& file, ServerOptions& options) {
+  Diagnostics errors;
+  NestingCheck(text).run(errors);
+  std::vector<Diagnostic> found = errors.take();
+  if (found.empty()) found = parseConfig(text, file, options);
   std::vector<std::string> lines;
-  for (const Diagnostic& error : errors.take()) lines.push_back(format(file, error));
+  for (const Diagnostic& error : found) lines.push_back(format(file, error));
   return lines;
 }
 

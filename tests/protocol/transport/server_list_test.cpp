@@ -113,5 +113,40 @@ TEST(ServerListTest, SkipsKeysOfLaterVersions) {
   EXPECT_EQ(listIn(text).servers.size(), 1u);
 }
 
+std::string nested(std::size_t depth, const std::string& opening, const std::string& closing) {
+  std::string text;
+  for (std::size_t i = 0; i < depth; ++i) text += opening;
+  text += "1";
+  for (std::size_t i = 0; i < depth; ++i) text += closing;
+  return text;
+}
+
+// Copying or destroying a value of this depth would overflow the stack.
+TEST(ServerListTest, AListThatIsNestedTooDeeplyIsRefused) {
+  constexpr const char* kFault = "it has more than 8 arrays and objects in each other; take them out";
+  for (const auto& [opening, closing] : {std::pair("[", "]"), std::pair("{\"a\":", "}"), std::pair("[{\"\":", "}]")}) {
+    for (const std::size_t depth : {9u, 1000u, 40'000u}) {
+      const std::string value = nested(depth, opening, closing);
+      for (const std::string& text : {value, "{\"platonServers\": " + value + ", \"b\": 1}",
+                                      "{\"platonServers\": [{\"name\": " + value + ", \"b\": 1}]}",
+                                      "{\"platonServers\": [], \"later\": " + value + "}"}) {
+        const auto read = readServerList(text);
+        ASSERT_TRUE(std::holds_alternative<ParseError>(read)) << text.substr(0, 40);
+        EXPECT_EQ(std::get<ParseError>(read).what, kFault) << text.substr(0, 40);
+      }
+    }
+  }
+  const std::string deepest = nested(90'000, "[", "]");
+  EXPECT_EQ(std::get<ParseError>(readServerList("{\"platonServers\": " + deepest + ", \"b\": 1}")).what, kFault);
+}
+
+TEST(ServerListTest, AListOfALaterVersionMayBeNestedToTheLimit) {
+  const auto withDepth = [](std::size_t depth) {
+    return readServerList("{\"platonServers\": [], \"later\": " + nested(depth - 1, "[", "]") + "}");
+  };
+  EXPECT_TRUE(std::holds_alternative<ServerList>(withDepth(8)));
+  EXPECT_TRUE(std::holds_alternative<ParseError>(withDepth(9)));
+}
+
 }  // namespace
 }  // namespace platon::server_list_test

@@ -146,5 +146,68 @@ TEST_F(ConfigFileTest, WhatIsNoRegularFileIsRefused) {
   EXPECT_EQ(errorOfFile(), file_ + ": error: it is a device, not a regular file; name a readable file after --config");
 }
 
+std::string keyOf(std::size_t parts, const std::string& part = "a") {
+  std::string key = part;
+  for (std::size_t i = 1; i < parts; ++i) key += "." + part;
+  return key;
+}
+
+constexpr const char* kTooManyParts = " error: more than 8 parts are joined by dots; a key has one part";
+constexpr const char* kTooDeep = " error: more than 8 lists and tables are in each other; a value is at most a list";
+
+// The parser makes a table in a table for each part, and a running server that reads the file again would end when it
+// destroys them.
+TEST_F(ConfigFileTest, AKeyOfTooManyPartsIsRefused) {
+  for (const std::size_t parts : {9u, 1000u, 100'000u}) {
+    const std::string key = keyOf(parts);
+    EXPECT_EQ(errorOf(key + " = 1\n"), ":1:16:" + std::string(kTooManyParts));
+    EXPECT_EQ(errorOf("port = 1\n[" + key + "]\n"), ":2:17:" + std::string(kTooManyParts));
+    EXPECT_EQ(errorOf("[[" + key + "]]\n"), ":1:18:" + std::string(kTooManyParts));
+    EXPECT_EQ(errorOf("x = {" + key + " = 1}"), ":1:21:" + std::string(kTooManyParts));
+    EXPECT_EQ(errorOf("x = {y = 1, " + key + " = 1}"), ":1:28:" + std::string(kTooManyParts));
+  }
+  EXPECT_EQ(errorOf(keyOf(9, "\"a.'\"") + " = 1"), ":1:48:" + std::string(kTooManyParts));
+  EXPECT_EQ(errorOf(keyOf(9, "'\"'") + " = 1"), ":1:32:" + std::string(kTooManyParts));
+  EXPECT_EQ(errorOf(keyOf(9, " a\t") + " = 1"), ":1:32:" + std::string(kTooManyParts));
+  EXPECT_TRUE(errorOf(keyOf(8) + " = 1").starts_with(":1:1: error: 'a' is not a key"));
+}
+
+// Dots and brackets mean nothing in strings and comments, and something again behind them.
+TEST_F(ConfigFileTest, PartsAreCountedBehindEveryKindOfString) {
+  const std::string dots = keyOf(20, "[");
+  for (const std::string& text :
+       {"\"" + dots + "\"", "'" + dots + "'", "\"\"\"\n" + dots + "\n\"\"\"", "'''" + dots + "\n'''",
+        "\"\\\"" + dots + "\"", "\"\"\"" + dots + "\\\"\"\"" + dots + "\"\"\"\"\"", "'''" + dots + "'''''",
+        "\"\" # \" " + dots}) {
+    ServerOptions options;
+    EXPECT_EQ(readConfig("record = " + text + "\n", "file", options), std::vector<std::string>{}) << text;
+    const std::string error = errorOf("record = " + text + "\n" + keyOf(9) + " = 1");
+    EXPECT_TRUE(error.ends_with(kTooManyParts)) << error;
+  }
+  // The last two quotes before the comma belong to the string.
+  const std::string error = errorOf("x = {a = \"\"\"y\"\"\"\"\", " + keyOf(9) + " = 1}");
+  EXPECT_TRUE(error.ends_with(kTooManyParts)) << error;
+}
+
+TEST_F(ConfigFileTest, ListsAndTablesThatAreNestedTooDeeplyAreRefused) {
+  for (const std::size_t depth : {9u, 300u, 100'000u}) {
+    EXPECT_EQ(errorOf("x = " + std::string(depth, '[') + std::string(depth, ']')), ":1:13:" + std::string(kTooDeep));
+    std::string tables;
+    for (std::size_t i = 0; i < depth; ++i) tables += "{a=";
+    EXPECT_EQ(errorOf("x = " + tables + "1" + std::string(depth, '}')), ":1:29:" + std::string(kTooDeep));
+  }
+  EXPECT_TRUE(errorOf("x = " + std::string(8, '[') + std::string(8, ']')).starts_with(":1:1: error: 'x' is not a key"));
+}
+
+// The brackets of a name are no lists.
+TEST_F(ConfigFileTest, ManyTablesBesideEachOtherAreNotNested) {
+  std::string tables;
+  for (int i = 0; i < 20; ++i) tables += "[[x]]\n";
+  EXPECT_TRUE(errorOf(tables).starts_with(":1:3: error: 'x' is not a key")) << errorOf(tables);
+  std::string unclosed;
+  for (int i = 0; i < 20; ++i) unclosed += "[x\n";
+  EXPECT_TRUE(errorOf(unclosed).starts_with(":1:")) << errorOf(unclosed);
+}
+
 }  // namespace
 }  // namespace platon::config_file_test

@@ -85,9 +85,12 @@ TEST_F(ProgramTest, KeepsItsSettingsWhenTheNewOnesAreInvalid) {
   Process server(platonCommand("platon-server", {"--config", file, "--port", "0", "--bind", "127.0.0.1"}));
   std::string line = server.nextErrorLine();
   while (!line.empty() && line.find(R"("message":"round started")") == std::string::npos) line = server.nextErrorLine();
-  for (const char* text :
-       {"log-format = \"text\"\nmax-players = 0\n", "log-format = \"text\"\nlevels = [\"none.level\"]\n",
-        "log-format = \"text\"\ncolour = 1\n", "log-format ="}) {
+  std::string deepTable = "[a";
+  for (int i = 0; i < 100'000; ++i) deepTable += ".a";
+  for (const std::string& text :
+       {std::string("log-format = \"text\"\nmax-players = 0\n"),
+        std::string("log-format = \"text\"\nlevels = [\"none.level\"]\n"),
+        std::string("log-format = \"text\"\ncolour = 1\n"), std::string("log-format ="), deepTable + "]\n"}) {
     writeText(file, text);
     server.signal(SIGHUP);
     const std::string error = server.nextErrorLine();
