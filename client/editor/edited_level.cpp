@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -21,9 +22,12 @@ std::vector<EditedSegment> ordered(std::vector<EditedSegment> segments) {
   return segments;
 }
 
-bool hasError(const LevelDocument& document, int textLine) {
-  const auto isThere = [textLine](const Diagnostic& found) { return found.error && found.line == textLine; };
-  return std::any_of(document.diagnostics().begin(), document.diagnostics().end(), isThere);
+std::set<int> textLinesWithErrors(const LevelDocument& document) {
+  std::set<int> textLines;
+  for (const Diagnostic& found : document.diagnostics()) {
+    if (found.error) textLines.insert(found.line);
+  }
+  return textLines;
 }
 
 }  // namespace
@@ -37,9 +41,11 @@ EditedLevel::EditedLevel(std::string_view text, bool saved) : document_(text) {
 // Faults that are not those of a segment, such as a start that a segment blocks, need the level without segments.
 bool EditedLevel::showValidPart(bool withSegments) {
   LevelDocument part = document_;
-  for (std::size_t i = part.segments().size(); i-- > 0;) {
-    if (!withSegments || hasError(document_, document_.textLineOf(i))) part.erase(i);
-  }
+  const std::set<int> faulty = textLinesWithErrors(document_);
+  std::vector<bool> leftOut(part.segments().size());
+  for (std::size_t i = 0; i < leftOut.size(); ++i)
+    leftOut[i] = !withSegments || faulty.contains(document_.textLineOf(i));
+  part.erase(leftOut);
   part.check();
   if (!part.valid()) return false;
   shown_ = ordered(part.segments());

@@ -169,14 +169,25 @@ void LevelDocument::replace(std::size_t segment, const EditedSegment& with) {
 }
 
 void LevelDocument::erase(std::size_t segment) {
-  const std::size_t index = textLines_[segment];
-  const std::string_view rest = partsOf(lines_[index]).rest;
-  const std::size_t comment = rest.find('#');
-  if (comment != std::string_view::npos) {
-    lines_[index] = std::string(rest.substr(comment));
-  } else {
-    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(index));
+  std::vector<bool> only(segments_.size());
+  only[segment] = true;
+  erase(only);
+}
+
+void LevelDocument::erase(const std::vector<bool>& segments) {
+  std::vector<std::string> kept;
+  std::size_t segment = 0;
+  for (std::size_t index = 0; index < lines_.size(); ++index) {
+    const bool isSegment = segment < textLines_.size() && textLines_[segment] == index;
+    if (!isSegment || !segments[segment++]) {
+      kept.push_back(std::move(lines_[index]));
+      continue;
+    }
+    const std::string_view rest = partsOf(lines_[index]).rest;
+    const std::size_t comment = rest.find('#');
+    if (comment != std::string_view::npos) kept.emplace_back(rest.substr(comment));
   }
+  lines_ = std::move(kept);
   scan();
 }
 

@@ -42,6 +42,8 @@ class LevelDocument {
   void replace(std::size_t segment, const EditedSegment& with);
   /// Removes the text line of a segment. A comment behind it stays on a text line of its own.
   void erase(std::size_t segment);
+  /// Erases each segment whose entry is true, in one pass; one entry for each of segments().
+  void erase(const std::vector<bool>& segments);
   void setStart(const FacePlace& start, int degrees);
   /// Changes only the up of the start.
   void turnStart(int degrees);

@@ -17,6 +17,10 @@ CLIENT_FAULTS = [
     at_length("digits-without-end", "client/editor/editor_pointer.cpp", "  digits_ = 0;\n", "",
               "a digit that is typed after a click is added to the number of before",
               "EditorKeysTest.DigitsSetTheNumberOfTheSelectedSegment"),
+    at_length("erasing-forgets-comments", "client/editor/level_document.cpp",
+              "    if (comment != std::string_view::npos) kept.emplace_back(rest.substr(comment));\n", "",
+              "a comment is lost with the segment before it",
+              "LevelDocumentTest.ErasingKeepsTheComment"),
     # The list of players and the keys.
     at_length("old-round-trips-kept", SESSION + "round_trip_list.h", " && now - receivedAt_ <= kTimeout;", ";",
               "a round trip is shown for ever after the last message",

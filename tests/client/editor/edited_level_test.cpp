@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
+
 #include "tests/client/editor/test_editor.h"
 
 namespace platon::edited_level_test {
@@ -71,6 +74,21 @@ TEST(EditedLevelTest, OfATextWithABlockedStartTheSolidIsShown) {
   EXPECT_FALSE(level.document().valid());
   ASSERT_TRUE(level.document().level());
   EXPECT_EQ(level.faulty().size(), level.document().segments().size());
+}
+
+// It took a reading of the text for each segment: for these, hours.
+TEST(EditedLevelTest, TheLargestInvalidLevelOpens) {
+  constexpr std::string_view kOutside = "150 300 160 300  # outside the face\n";
+  const std::size_t count = (kMaxLevelBytes - TestEditor::levelText().size()) / kOutside.size();
+  std::string segments;
+  for (std::size_t i = 0; i < count; ++i) segments += kOutside;
+  const std::string text = TestEditor::levelText(segments);
+  const EditedLevel level(text, true);
+  EXPECT_FALSE(level.document().valid());
+  EXPECT_EQ(level.text(), text);
+  ASSERT_TRUE(level.document().level());
+  EXPECT_EQ(level.document().segments().size(), count + 1);
+  EXPECT_EQ(level.faulty().size(), count + 1);
 }
 
 TEST(EditedLevelTest, AnInvalidHeaderHasNoLevel) { EXPECT_EQ(EditedLevel("CUBE\n", true).document().level(), nullptr); }

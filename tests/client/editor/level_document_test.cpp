@@ -112,6 +112,25 @@ TEST(LevelDocumentTest, ErasingKeepsTheComment) {
             replaced(replaced(kText, "  -240.0 -200 240 -200   # floor\n", "# floor\n"), "10 20\t30 40 door 3\n", ""));
 }
 
+// Segments erased in one pass leave what they leave when they are erased one by one, the last one first.
+TEST(LevelDocumentTest, ErasingTogetherLeavesWhatErasingOneByOneLeaves) {
+  for (const std::string& text : {kText, withCarriageReturns(kText), "\xef\xbb\xbf" + kText + "1 2 3 4 #\n5 6 7 8"}) {
+    const std::size_t count = LevelDocument(text).segments().size();
+    for (unsigned choice = 0; choice < 1U << count; ++choice) {
+      LevelDocument oneByOne(text);
+      LevelDocument together(text);
+      std::vector<bool> chosen(count);
+      for (std::size_t i = count; i-- > 0;) {
+        chosen[i] = (choice >> i & 1U) != 0;
+        if (chosen[i]) oneByOne.erase(i);
+      }
+      together.erase(chosen);
+      EXPECT_EQ(together.text(), oneByOne.text()) << choice;
+      EXPECT_EQ(together.segments(), oneByOne.segments()) << choice;
+    }
+  }
+}
+
 TEST(LevelDocumentTest, StartAndGoalChangeOnlyTheirTextLines) {
   LevelDocument document(kText);
   document.setStart({3, {10.5, -20}}, 90);
