@@ -26,12 +26,14 @@ struct Ending {
 // Reads to the end. Notes why that is impossible.
 Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_token& stop) {
   Ending ending;
-  std::uint64_t work = 0;
-  while (std::optional<RecordedBlock> block = reader.next()) {
+  std::optional<RecordedBlock> block = reader.next();
+  if (!block) return ending;
+  const std::optional<Game> start = gameBefore(*block, reader.level());
+  if (!start) return note = Replay::kNoStart, ending;
+  PlayCost cost(*start);
+  for (; block && note.empty() && !stop.stop_requested(); block = reader.next()) {
     ending.ticks += block->ticks();
-    work += Replay::workOf(*block);
-    if (work > Replay::kMaxWork) note = Replay::kTooLong;
-    if (!note.empty() || stop.stop_requested()) break;
+    if (!cost.add(*block)) note = Replay::kTooLong;
     ending.state = block->state;
     if (block->ticks() != 0) ending.block = std::move(*block);
   }

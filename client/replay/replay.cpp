@@ -9,20 +9,31 @@
 namespace platon {
 namespace {
 
-constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - Replay::kMaxWork;  // so that no tick is above 2^32
+// So that no tick is above 2^32.
+constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - PlayCost::kMax / PlayCost::kBase;
 
 }  // namespace
+
+std::optional<Game> gameBefore(const RecordedBlock& first, const std::shared_ptr<const Level>& level) {
+  Game game(level);
+  const bool valid = game.restore(first.state) && game.tick() == first.firstTick && game.tick() <= kMaxFirstTick;
+  return valid ? std::optional(std::move(game)) : std::nullopt;
+}
+
+bool PlayCost::add(const RecordedBlock& block) {
+  slots_ = std::max(slots_, block.slots);
+  sum_ += block.ticks() * (std::uint64_t{slots_} + 1) * ofPlayer_;
+  return sum_ <= kMax;
+}
 
 std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<const std::uint8_t> recording,
                                                                       const std::stop_token& stop) {
   RecordingReader reader(recording);
   std::optional<RecordedBlock> first = reader.next();
   if (!first) return recordingFault(reader, recording);
-  Game start(reader.level());
-  if (!start.restore(first->state) || start.tick() != first->firstTick || start.tick() > kMaxFirstTick) {
-    return damagedText("its first state is not valid on its level");
-  }
-  const std::shared_ptr<Replay> replay(new Replay(std::move(start)));
+  std::optional<Game> start = gameBefore(*first, reader.level());
+  if (!start) return kNoStart;
+  const std::shared_ptr<Replay> replay(new Replay(std::move(*start)));
   std::string fault = replay->readBlocks(reader, std::move(*first), stop);
   if (fault.empty()) fault = recordingFault(reader, recording);
   if (fault.empty()) fault = replay->play(stop);
@@ -43,9 +54,9 @@ std::string Replay::readBlocks(RecordingReader& reader, RecordedBlock first, con
 
 std::string Replay::add(RecordedBlock block) {
   ticks_ += block.ticks();
-  work_ += workOf(block);
+  const bool affordable = cost_.add(block);
   blocks_.push_back(std::move(block));
-  return work_ > kMaxWork ? kTooLong : "";
+  return affordable ? "" : kTooLong;
 }
 
 // Plays it once. The recorded states and hashes must be those of this program.

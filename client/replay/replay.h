@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -14,6 +15,33 @@
 
 namespace platon {
 
+/// The game before the first block of a recording; nothing if the state of that is not valid on the level.
+std::optional<Game> gameBefore(const RecordedBlock& first, const std::shared_ptr<const Level>& level);
+
+/// What it costs to play a recording once: its ticks, times the players, times the segments near a player. Whoever made
+/// the recording has chosen all three.
+class PlayCost {
+ public:
+  /// Of a player and a tick without segments; one for each segment that may be in reach is added. At one, a player and
+  /// tick cost about 0.1 µs on the worst levels, and less on others.
+  static constexpr std::uint64_t kBase = 10;
+  /// Most that a recording may cost: as 16 players for six minutes on a level that is as crowded as a valid one can be,
+  /// about 20 s. 256 players play a whole round for that where at most 24 segments are in reach.
+  static constexpr std::uint64_t kMax =
+      std::uint64_t{17} * 6 * 60 * kTicksPerSecond * (kBase + std::uint64_t{kMaxSegmentsInReach});
+
+  /// `start`: the game before the first block.
+  explicit PlayCost(const Game& start) : slots_(start.slots()), ofPlayer_(kBase + segmentsInReach(start.level())) {}
+
+  /// Adds the next block. Returns whether all blocks together cost at most kMax.
+  bool add(const RecordedBlock& block);
+
+ private:
+  std::uint32_t slots_;  // those of the game never become fewer
+  std::uint64_t ofPlayer_;
+  std::uint64_t sum_ = 0;
+};
+
 /// A recording that has been read and played once from its start to its end: every hash and every checkpoint agreed
 /// with the game of this program. Keeps states in between, from which each tick is reached soon.
 class Replay {
@@ -22,17 +50,16 @@ class Replay {
   static constexpr std::uint32_t kMaxStates = 256;
   /// Fewest ticks between two of them.
   static constexpr std::uint32_t kMinInterval = 60;
-  /// Most ticks of a recording, each counted once per slot: playing them takes some seconds.
-  static constexpr std::uint64_t kMaxWork = std::uint64_t{1} << 24;
-  static constexpr const char* kTooLong = "is too long to be played";
+  static constexpr const char* kTooLong =
+      "takes too long to be played: it has too many ticks of too many players, or on too crowded a level; platon-sim "
+      "verify checks it nevertheless";
   static constexpr const char* kStopped = "was not read to its end";
-  /// What a block adds to that.
-  static std::uint64_t workOf(const RecordedBlock& block) { return std::uint64_t{block.ticks()} * (block.slots + 1); }
+  static constexpr const char* kNoStart = "is a damaged recording: its first state is not valid on its level";
   /// Most bytes of a recording.
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
   /// The replay of a recording, or why there is none, as the end of a sentence that begins with the name of its file:
-  /// it is damaged, cut off or too long, or was made by other rules. Ends with the present block or tick when it is
+  /// it is damaged, cut off, costs too much, or was made by other rules. Ends with the present block or tick when it is
   /// asked to stop.
   static std::variant<std::shared_ptr<const Replay>, std::string> read(std::span<const std::uint8_t> recording,
                                                                        const std::stop_token& stop = {});
@@ -48,15 +75,15 @@ class Replay {
   std::uint32_t interval() const { return interval_; }
 
  private:
-  explicit Replay(Game start) : start_(std::move(start)) {}
+  explicit Replay(Game start) : start_(std::move(start)), cost_(start_) {}
   std::string readBlocks(RecordingReader& reader, RecordedBlock first, const std::stop_token& stop);
   std::string add(RecordedBlock block);
   std::string play(const std::stop_token& stop);
 
   Game start_;
+  PlayCost cost_;
   std::vector<RecordedBlock> blocks_;  // not empty; the last one has no ticks
   std::uint32_t ticks_ = 0;
-  std::uint64_t work_ = 0;
   std::uint32_t interval_ = kMinInterval;
   std::vector<std::vector<std::uint8_t>> states_;  // after 0, interval_, 2 · interval_ … ticks
 };

@@ -83,6 +83,12 @@ class Crowding::Search {
     return std::nullopt;
   }
 
+  // Of the tiles.
+  std::size_t most() {
+    countSegments();
+    return *std::max_element(counts_.begin(), counts_.end());
+  }
+
  private:
   static std::int64_t tilesBetween(std::int32_t low, std::int32_t high) { return (high - low) / kTile + 1; }
 
@@ -212,7 +218,21 @@ std::optional<CrowdedPlace> Crowding::search(std::uint32_t face, const List& lis
   return Search(*faces_.find(face), list).first();
 }
 
+std::size_t Crowding::most() {
+  std::size_t most = 0;
+  for (std::uint32_t face = 0; face < segments_.size(); ++face) most = mostOf(face, ownSegments(face), most);
+  findBands();
+  for (std::uint32_t face = 0; face < segments_.size(); ++face) most = mostOf(face, segmentsNearEdges(face), most);
+  return std::min(most, kMost);
+}
+
+// A list that is not longer than what is known cannot raise it.
+std::size_t Crowding::mostOf(std::uint32_t face, const List& list, std::size_t known) const {
+  return list.size() <= known ? known : std::max(known, Search(*faces_.find(face), list).most());
+}
+
 void Crowding::findBands() {
+  bands_.clear();
   for (std::uint32_t face = 0; face < segments_.size(); ++face) {
     const List own = ownSegments(face);
     std::vector<List>& bands = bands_.emplace_back();

@@ -39,6 +39,9 @@ class Crowding {
   /// The first crowded place of each face that has one. Segments of other faces count only if no face is crowded by its
   /// own.
   std::vector<CrowdedPlace> find();
+  /// At least as many segments as a player can touch within a tick anywhere, and at most those that touch the square of
+  /// 64 units round it, grown by kReach. Not more than kMaxSegmentsInReach, which a valid level does not exceed.
+  std::size_t most();
 
  private:
   // A segment in the frame of the face that is searched.
@@ -58,6 +61,7 @@ class Crowding {
   List segmentsBeyond(const MapGeometry& part, std::size_t except, int depth) const;
   void appendBeyond(const MapGeometry& part, std::size_t warp, int depth, List& out) const;
   std::optional<CrowdedPlace> search(std::uint32_t face, const List& list) const;
+  std::size_t mostOf(std::uint32_t face, const List& list, std::size_t known) const;
 
   const Geometry& faces_;
   std::span<const std::vector<Segment>> segments_;

@@ -138,4 +138,6 @@ LevelResult loadLevel(std::string_view text) {
   return result;
 }
 
+std::size_t segmentsInReach(const Level& level) { return Crowding(level.world.geometry(), level.segments).most(); }
+
 }  // namespace platon

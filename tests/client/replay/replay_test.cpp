@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "client/replay/recording_facts.h"
+#include "client/replay/run_cutter.h"
 #include "tests/client/replay/older_rules.h"
 #include "tests/client/replay/replay_of.h"
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/recorded_game.h"
+#include "tests/support/crowded_levels.h"
 #include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon::replay_test {
 namespace {
@@ -124,6 +128,63 @@ TEST(Replay, ARecordingOfAnotherGameIsRefused) {
   none.setState({1, 2, 3});
   none.addBlock(0, 0, 0, {});
   EXPECT_EQ(faultOf(none.bytes()), "is a damaged recording: its first state is not valid on its level");
+}
+
+// A block of so many ticks in which nobody is present.
+std::vector<std::uint8_t> emptyTicks(std::uint16_t ticks, std::uint16_t slots) {
+  StateWriter runs;
+  for (std::uint16_t slot = 0; slot < slots; ++slot) {
+    runs.add(ticks);
+    runs.add(std::uint8_t{0});
+  }
+  for (std::uint16_t tick = 0; tick < ticks; ++tick) runs.add(std::uint64_t{0});
+  return runs.take();
+}
+
+// A small file can hold hours of play by hundreds. It is refused before anything is played.
+TEST(Replay, WhatTakesTooLongIsRefusedBeforeItIsPlayed) {
+  for (const std::uint16_t slots : {std::uint16_t{0}, std::uint16_t{256}}) {
+    PlayedGame played(recordedLevel());
+    if (slots == 0) played.hold(255, 0);  // the slots of the state count, too
+    played.advance();
+    ForgedRecording forged(played.game);
+    const std::vector<std::uint8_t> block = emptyTicks(kMaxCheckpointTicks, slots);
+    for (std::uint32_t i = 0; i < 20; ++i) {
+      forged.addBlock(played.game.tick() + i * kMaxCheckpointTicks, kMaxCheckpointTicks, slots, block);
+    }
+    EXPECT_LT(forged.bytes().size(), 2'000'000U);
+    EXPECT_EQ(faultOf(forged.bytes()), Replay::kTooLong) << slots;
+    const TemporaryFolder folder;
+    writeText(folder / "file", {reinterpret_cast<const char*>(forged.bytes().data()), forged.bytes().size()});
+    EXPECT_EQ(readRecordingFacts(folder / "file").note, Replay::kTooLong);
+  }
+}
+
+// Ticks that may be played on the level by players in so many slots.
+std::uint64_t ticksAllowed(const std::shared_ptr<const Level>& level, std::uint32_t slots) {
+  PlayCost cost{Game(level)};
+  RecordedBlock block;
+  block.hashes.resize(kTicksPerSecond);
+  block.slots = slots;
+  std::uint64_t ticks = 0;
+  while (cost.add(block)) ticks += block.ticks();
+  return ticks;
+}
+
+// What a server records: a round, and the pause behind it.
+TEST(PlayCost, ALongRoundOf16PlayersIsAllowedOnTheMostCrowdedLevels) {
+  for (const CrowdedLevel& crowded : crowdedLevels()) {
+    const auto level = loadLevel(crowded.text(1)).level;
+    ASSERT_EQ(segmentsInReach(*level), kMaxSegmentsInReach) << crowded.name;
+    EXPECT_EQ(ticksAllowed(level, 16), 6U * 60 * kTicksPerSecond);
+    EXPECT_GE(ticksAllowed(level, 1), RunCutter::kMaxTicks);
+  }
+}
+
+TEST(PlayCost, ALongRoundOf256PlayersIsAllowedOnEveryShippedLevel) {
+  for (const std::string& file : shippedLevels()) {
+    EXPECT_GE(ticksAllowed(levelOf(readText(file)), kMaxPlayers), kRoundTicks + 30 * kTicksPerSecond) << file;
+  }
 }
 
 TEST(Replay, StopsWhenItIsAskedTo) {

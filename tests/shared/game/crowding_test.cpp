@@ -161,5 +161,53 @@ TEST(Crowding, FindsWhatCountingEveryPlaceFinds) {
   EXPECT_LT(crowded, kRuns * 7 / 8);
 }
 
+// The count of every place is not above the bound, and that of the square of eight places not below it.
+TEST(Crowding, TheBoundIsBetweenTheCountsOfSmallAndOfLargeSquares) {
+  sim::SeededRandom random(kSeed);
+  const auto mostIn = [](const std::vector<Segment>& segments, std::int32_t side) {
+    std::size_t most = 0;
+    for (std::int32_t y = -kSize / 2 * kUnit; y < kSize / 2 * kUnit; y += side) {
+      for (std::int32_t x = -kSize / 2 * kUnit; x < kSize / 2 * kUnit; x += side) {
+        const Box square = Box{{x, y}, {x + side, y + side}}.grown(Crowding::kReach);
+        most = std::max(
+            most, static_cast<std::size_t>(std::count_if(segments.begin(), segments.end(), [&](const Segment& segment) {
+              return touches(segment, square);
+            })));
+      }
+    }
+    return most;
+  };
+  for (int run = 0; run < 20; ++run) {
+    SCOPED_TRACE(run);
+    Segments segments = onFaces(SolidKind::kHexahedron);
+    for (int i = 0; i < 20 + 10 * run; ++i) {
+      const Point at = random.vector(150 * kUnit);
+      segments[0].push_back({at, at + random.vector(run % 2 == 0 ? 60 * kUnit : 2 * kUnit)});
+    }
+    const World faces = buildStage(SolidKind::kHexahedron, kSize, onFaces(SolidKind::kHexahedron));
+    const std::size_t most = Crowding(faces.geometry(), segments).most();
+    EXPECT_GE(most, mostIn(segments[0], Crowding::kPlace));
+    EXPECT_LE(most, segments[0].size());
+    EXPECT_LE(most, mostIn(segments[0], 8 * Crowding::kPlace) + 8);  // beside the range of a row, also its ends count
+  }
+}
+
+TEST(Crowding, TheBoundCountsSegmentsBehindTheEdges) {
+  Segments segments = onFaces(SolidKind::kHexahedron);
+  const World faces = buildStage(SolidKind::kHexahedron, kSize, segments);
+  const auto most = [&] { return Crowding(faces.geometry(), segments).most(); };
+  EXPECT_EQ(most(), 0U);
+  const Warp& warp = faces.geometry().find(0)->warps[0];
+  const Point middle(warp.from.a.x / 2 + warp.from.b.x / 2, warp.from.a.y / 2 + warp.from.b.y / 2);
+  const Point near(middle.x - middle.x / 30, middle.y - middle.y / 30);
+  const Point beyond = rounded(warp.map(precise({middle.x + middle.x / 30, middle.y + middle.y / 30})));
+  segments[0].assign(7, {near, near});
+  EXPECT_EQ(most(), 7U);
+  segments[warp.target].assign(5, {beyond, beyond});
+  EXPECT_EQ(most(), 12U);
+  segments[0].assign(5000, {near, near});
+  EXPECT_EQ(most(), kMaxSegmentsInReach);
+}
+
 }  // namespace
 }  // namespace platon::crowding_test

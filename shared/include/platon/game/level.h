@@ -67,4 +67,9 @@ struct LevelResult {
 /// Reads a level text and reports every error and warning.
 LevelResult loadLevel(std::string_view text);
 
+/// Bound of the segments that are within a tick's reach of a player, wherever on the level it is: 0 …
+/// kMaxSegmentsInReach. It tells what a player can cost. Takes time in proportion to the segments and to the area of
+/// the faces.
+std::size_t segmentsInReach(const Level& level);
+
 }  // namespace platon
