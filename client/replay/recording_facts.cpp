@@ -2,12 +2,12 @@
 
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "client/replay/recording_fault.h"
 #include "client/replay/recording_head.h"
 #include "client/replay/replay.h"
 #include "client/replay/replay_file.h"
-#include "client/replay/run_track.h"
 #include "platon/game/game.h"
 #include "platon/game/recording_reader.h"
 
@@ -20,7 +20,7 @@ constexpr const char* kDamagedEnd = "is a damaged recording: its end does not gi
 struct Ending {
   RecordedBlock block;
   std::vector<std::uint8_t> state;
-  std::uint32_t ticks = 0;  // of the whole recording
+  std::optional<RecordedRun> run;  // with the inputs of the whole recording; nothing: there is no tick
 };
 
 // Reads to the end. Notes why that is impossible.
@@ -32,8 +32,9 @@ Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_to
   if (!start) return note = Replay::kNoStart, ending;
   PlayCost cost(*start);
   for (; block && note.empty() && !stop.stop_requested(); block = reader.next()) {
-    ending.ticks += block->ticks();
     if (!cost.add(*block)) note = Replay::kTooLong;
+    if (block->ticks() != 0 && !ending.run) ending.run.emplace(*start);
+    for (std::uint32_t tick = 0; tick < block->ticks(); ++tick) ending.run->add(block->inputsOf(tick));
     ending.state = block->state;
     if (block->ticks() != 0) ending.block = std::move(*block);
   }
@@ -43,7 +44,7 @@ Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_to
 // Plays the last block. Gives the time of the run, if it is one.
 void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending, RecordingFacts& facts,
                 const std::stop_token& stop) {
-  if (ending.ticks == 0) return;
+  if (!ending.run) return;
   Game game(level);
   bool agrees = game.restore(ending.block.state) && game.tick() == ending.block.firstTick;
   const std::uint32_t last = ending.block.ticks() - 1;
@@ -55,7 +56,9 @@ void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending,
   if (agrees) game.advance(ending.block.inputsOf(last));
   agrees = agrees && game.save() == ending.state;
   if (!agrees) facts.note = kDamagedEnd;
-  if (const auto run = agrees ? finishOf(before, game, ending.ticks) : std::nullopt) facts.ticks = run->ticks;
+  if (!agrees) return;
+  const auto run = ending.run->finish(before, game);
+  if (const auto* const finish = std::get_if<RunFinish>(&run)) facts.ticks = finish->ticks;
 }
 
 }  // namespace

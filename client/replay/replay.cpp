@@ -63,6 +63,8 @@ std::string Replay::add(RecordedBlock block) {
 std::string Replay::play(const std::stop_token& stop) {
   interval_ = std::max(kMinInterval, ticks_ / (kMaxStates - 1) + 1);
   Game game = start_;
+  Game before = start_;  // the last tick
+  RecordedRun run(start_);
   std::uint32_t tick = 0;
   const auto differs = [&] {
     return damagedText("it does not give the recorded game at tick " + std::to_string(game.tick()));
@@ -72,6 +74,8 @@ std::string Replay::play(const std::stop_token& stop) {
     for (std::uint32_t i = 0; i < block.ticks(); ++i, ++tick) {
       if (stop.stop_requested()) return kStopped;
       if (tick % interval_ == 0) states_.push_back(game.save());
+      if (tick + 1 == ticks_) before = game;
+      run.add(block.inputsOf(i));
       game.advance(block.inputsOf(i));
       if (game.hash() != block.hashes[i]) return differs();
     }
@@ -79,6 +83,7 @@ std::string Replay::play(const std::stop_token& stop) {
     block.state = {};
   }
   if (tick % interval_ == 0) states_.push_back(game.save());
+  run_ = run.finish(before, game);
   return {};
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "platon/game/game.h"
+#include "platon/game/recorded_run.h"
 #include "platon/game/recording_reader.h"
 
 namespace platon {
@@ -69,6 +70,8 @@ class Replay {
   std::uint32_t ticks() const { return ticks_; }
   /// Inputs of a tick, by slot. tick < ticks().
   std::span<const Input> inputsOf(std::uint32_t tick) const;
+  /// The run that it shows, or why it shows none, as the end of a sentence like that of `read`.
+  const std::variant<RunFinish, std::string>& run() const { return run_; }
   /// The game after the first `tick` recorded ticks. tick ≤ ticks(). Advances at most by interval() ticks.
   Game gameAfter(std::uint32_t tick) const;
   /// Ticks between two states that are kept.
@@ -82,6 +85,7 @@ class Replay {
 
   Game start_;
   PlayCost cost_;
+  std::variant<RunFinish, std::string> run_;
   std::vector<RecordedBlock> blocks_;  // not empty; the last one has no ticks
   std::uint32_t ticks_ = 0;
   std::uint32_t interval_ = kMinInterval;

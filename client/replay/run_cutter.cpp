@@ -1,6 +1,6 @@
 #include "client/replay/run_cutter.h"
 
-#include <algorithm>
+#include <variant>
 
 #include "platon/game/recorder.h"
 
@@ -10,13 +10,6 @@ namespace {
 std::uint32_t timeOf(const PlayerState& player, const Game& game) { return game.tick() - player.startedAt + 1; }
 
 bool presses(Input input, Input before, std::uint8_t button) { return input.has(button) && !before.has(button); }
-
-bool hasStarted(const Game& game) {
-  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
-    if (game.player(slot).startedAt != 0) return true;
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -32,20 +25,12 @@ void RunCutter::begin(const Game& game, std::uint32_t slot) {
   inputs_.clear();
   groupInputs_.clear();
   start_ = game.level().doorNumbers == 0 ? std::nullopt : std::optional(game);
-  if (own_ && own_->player.startedAt == 0) findRest(*own_, game);
-}
-
-// A player who has pressed nothing since it came has only fallen: finds out for how long.
-void RunCutter::findRest(const Own& own, const Game& game) {
-  const Input rest{Input::kPresent};
-  Game alone(game.sharedLevel());
-  for (std::uint32_t ticks = 1; ticks <= kMaxRest && !known_; ++ticks) {
-    alone.advance({&rest, 1});
-    const EntityState& entity = alone.world().entities()[0];
-    known_ = entity.part == own.entity.part && entity.position == own.entity.position &&
-             entity.remainder == own.entity.remainder && alone.player(0).velocity == own.player.velocity;
-    inputs_.push_back(rest);
-  }
+  rest_.reset();
+  if (start_ || (own_ && own_->player.startedAt == 0)) rest_.emplace(game.sharedLevel());
+  // A player who has pressed nothing since it came has only fallen.
+  const std::optional<std::uint32_t> ticks = rest_ ? rest_->ticksTo(game, slot_) : std::nullopt;
+  known_ = ticks.has_value();
+  if (ticks) inputs_.assign(*ticks, Input{Input::kPresent});
 }
 
 std::optional<std::uint32_t> RunCutter::advance(std::span<const Input> inputs, const Game& game) {
@@ -75,9 +60,18 @@ void RunCutter::followOwn(Input input, const Own& own) {
 void RunCutter::followGroup(std::span<const Input> inputs, const Game& game) {
   if (!start_) return;
   groupInputs_.emplace_back(inputs.begin(), inputs.end());
-  if (groupInputs_.size() < kMinGroupTicks || (hasStarted(game) && groupInputs_.size() < kMaxGroupTicks)) return;
+  if (groupInputs_.size() < kMinGroupTicks || (!allRest(game) && groupInputs_.size() < kMaxGroupTicks)) return;
   start_ = game;
   groupInputs_.clear();
+}
+
+// Whether no attempt is under way, and a recording that begins here shows it.
+bool RunCutter::allRest(const Game& game) const {
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
+    const PlayerState& player = game.player(slot);
+    if (player.startedAt != 0 || (player.present != 0 && !rest_->ticksTo(game, slot))) return false;
+  }
+  return true;
 }
 
 std::optional<Run> RunCutter::cut(const Game& game) const {
@@ -105,11 +99,16 @@ std::optional<Run> RunCutter::cutAlone(const Game& game) const {
 std::optional<Run> RunCutter::cutGroup(const Game& game) const {
   if (!start_ || !own_ || own_->player.startedAt <= start_->tick()) return std::nullopt;
   Game group = *start_;
+  Game before = group;
+  RecordedRun run(group);
   Recorder recorder(group, kCheckpointTicks);
   for (const std::vector<Input>& inputs : groupInputs_) {
+    if (&inputs == &groupInputs_.back()) before = group;
     group.advance(inputs);
+    run.add(inputs);
     recorder.record(inputs, group);
   }
+  if (!std::holds_alternative<RunFinish>(run.finish(before, group))) return std::nullopt;
   recorder.finish(group);
   return Run{game.sharedLevel(), timeOf(own_->player, game), recorder.takeBytes()};
 }

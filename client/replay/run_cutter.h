@@ -7,6 +7,7 @@
 
 #include "client/replay/run.h"
 #include "platon/game/game.h"
+#include "platon/game/recorded_run.h"
 
 namespace platon {
 
@@ -31,7 +32,6 @@ class RunCutter {
 
  private:
   static constexpr std::size_t kMaxGroupTicks = 2 * kRoundTicks;  // as kMaxTicks, of several players
-  static constexpr std::uint32_t kMaxRest = 600;                  // ticks of rest that `begin` looks back over
   static constexpr std::size_t kMinGroupTicks = 60;  // the start of the group's game is set at most so often
 
   // The local player after a tick.
@@ -45,7 +45,7 @@ class RunCutter {
   std::optional<Own> ownIn(const Game& game) const;
   void followOwn(Input input, const Own& own);
   void followGroup(std::span<const Input> inputs, const Game& game);
-  void findRest(const Own& own, const Game& game);
+  bool allRest(const Game& game) const;
   std::optional<Run> cutAlone(const Game& game) const;
   std::optional<Run> cutGroup(const Game& game) const;
 
@@ -53,6 +53,7 @@ class RunCutter {
   std::optional<Own> own_;                       // after the last tick; nothing: the player is absent
   bool known_ = false;                           // inputs_ leads from a new game to own_
   std::vector<Input> inputs_;                    // of the local player in a game of its own
+  std::optional<LevelRest> rest_;                // on a level with doors, or if own_ has not started in `begin`
   std::optional<Game> start_;                    // of the group's game, on a level with doors
   std::vector<std::vector<Input>> groupInputs_;  // since start_
 };

@@ -67,7 +67,7 @@ bool RunList::poll() {
   return found;
 }
 
-// The name of an own run tells its time.
+// The name of an own run tells its time, as long as its recording does not tell more.
 void RunList::fill() {
   for (ListedRun& run : runs_) {
     const RecordingFacts* const facts = reader_.find(run.file);
@@ -75,7 +75,7 @@ void RunList::fill() {
     run.level = facts->level;
     run.note = facts->note;
     run.isRead = true;
-    if (!run.who.empty()) run.time = facts->ticks ? finishTextOf(*facts->ticks) : "";
+    if (!run.who.empty() || run.note.empty()) run.time = facts->ticks ? finishTextOf(*facts->ticks) : "";
   }
   markBest();
 }
@@ -85,7 +85,7 @@ void RunList::markBest() {
   for (std::size_t i = 0; i < runs_.size() && runs_[i].who.empty(); ++i) {
     runs_[i].isBest = false;
     const std::optional<StoredRun> run = own_.ownRunOf(runs_[i].file);
-    if (!run || !runs_[i].note.empty()) continue;
+    if (!run || !runs_[i].note.empty() || runs_[i].time.empty()) continue;
     const auto place = std::pair(run->ticks, i);
     const auto known = best.try_emplace(run->level, place).first;
     known->second = std::min(known->second, place);

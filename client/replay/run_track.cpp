@@ -1,21 +1,9 @@
 #include "client/replay/run_track.h"
 
 #include <algorithm>
+#include <variant>
 
 namespace platon {
-namespace {
-
-bool arrived(const Game& game, std::uint32_t slot) { return slot < game.slots() && game.player(slot).arrived != 0; }
-
-// Who touches the goal in the tick from `before` to `after`.
-std::optional<std::uint32_t> runnerOf(const Game& before, const Game& after) {
-  for (std::uint32_t slot = 0; slot < after.slots(); ++slot) {
-    if (arrived(after, slot) && !arrived(before, slot)) return slot;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 bool FaceVisits::enters(std::uint32_t face) {
   const std::uint32_t bit = std::uint32_t{1} << (face % 32);
@@ -36,18 +24,9 @@ InterpolatedPlayer RunTrack::at(std::uint32_t passed, double fraction) const {
   return {places[passed > ticks ? now : now - 1], places[now], fraction};
 }
 
-std::optional<RunFinish> finishOf(const Game& before, const Game& end, std::uint32_t recordedTicks) {
-  const std::optional<std::uint32_t> slot = runnerOf(before, end);
-  if (!slot) return std::nullopt;
-  const RunFinish finish{*slot, end.tick() - end.player(*slot).startedAt + 1};
-  return finish.ticks > recordedTicks ? std::nullopt : std::optional(finish);
-}
-
 std::optional<RunTrack> trackOf(const Replay& replay, const std::stop_token& stop) {
-  if (replay.ticks() == 0) return std::nullopt;
-  const Game end = replay.gameAfter(replay.ticks());
-  const std::optional<RunFinish> finish = finishOf(replay.gameAfter(replay.ticks() - 1), end, replay.ticks());
-  if (!finish) return std::nullopt;
+  const auto* const finish = std::get_if<RunFinish>(&replay.run());
+  if (finish == nullptr) return std::nullopt;
   RunTrack track;
   track.ticks = finish->ticks;
   const std::uint32_t first = replay.ticks() - track.ticks;

@@ -42,17 +42,7 @@ struct RunTrack {
   InterpolatedPlayer at(std::uint32_t ticks, double fraction) const;
 };
 
-/// How a run ends.
-struct RunFinish {
-  std::uint32_t slot = 0;
-  std::uint32_t ticks = 0;  ///< time of the attempt
-};
-/// The end of the run of a recording of so many ticks, whose last tick leads from `before` to `end`. Nothing if nobody
-/// touches the goal in it, or if the attempt began before the recording.
-std::optional<RunFinish> finishOf(const Game& before, const Game& end, std::uint32_t recordedTicks);
-
-/// Nothing if nobody touches the goal in the last tick, if the attempt began before the recording, or if it was asked
-/// to stop, which it looks at in each tick.
+/// Nothing if the replay is no run (see Replay::run), or if it was asked to stop, which it looks at in each tick.
 std::optional<RunTrack> trackOf(const Replay& replay, const std::stop_token& stop = {});
 
 }  // namespace platon

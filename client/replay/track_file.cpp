@@ -17,7 +17,7 @@ std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file,
     return file.string() + ": is a recording of another level";
   std::optional<RunTrack> track = trackOf(replay, stop);
   if (stop.stop_requested()) return file.string() + ": " + Replay::kStopped;
-  if (!track) return file.string() + ": is no run: it does not end with a player at the goal";
+  if (!track) return file.string() + ": " + std::get<std::string>(replay.run());
   return std::move(*track);
 }
 

@@ -7,6 +7,7 @@
 #include "client/replay/replay.h"
 #include "client/replay/run_track.h"
 #include "platon/game/game.h"
+#include "platon/game/recorded_run.h"
 #include "platon/game/recorder.h"
 #include "platon/game/recording_reader.h"
 #include "tests/fuzz/byte_source.h"
@@ -86,7 +87,12 @@ std::string replayFault(Bytes recording, bool isValid) {
   const std::optional<RunTrack> track = trackOf(replay);
   if (track && (track->ticks > replay.ticks() || track->places.size() != track->ticks + std::size_t{1}))
     return "a run does not have one place per tick";
-  return {};
+  if (!track || track->ticks != replay.ticks() || !track->places.front().present) return {};
+  const std::uint32_t slot = std::get<RunFinish>(replay.run()).slot;
+  const bool restarts = replay.inputsOf(0)[slot].has(Input::kRestart);
+  return restarts || LevelRest(replay.level()).ticksTo(replay.gameAfter(0), slot)
+             ? std::string()
+             : "a run begins elsewhere than at the start of the level";
 }
 
 std::string faultOf(Bytes recording, bool isValid) {

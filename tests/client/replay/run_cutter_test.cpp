@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "client/replay/run_track.h"
 #include "platon/game/recording_reader.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/replay_of.h"
+#include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 
@@ -159,6 +161,26 @@ TEST(RunCutter, ARunWithTheHelpOfOthersHasAllPlayers) {
   const auto replay = replayOf(followed.run->recording);
   EXPECT_EQ(slotsOf(*replay), 2U);
   EXPECT_LE(replay->ticks(), *followed.time + 60);
+}
+
+// A server can send any state.
+TEST(RunCutter, WhoIsFoundElsewhereThanAtTheStartHasNoRunBeforeARestart) {
+  for (const auto& [level, x] : {std::pair(floorLevel(), 60), std::pair(doorLevel(), 80)}) {
+    FollowedGame followed(level);
+    followed.hold(30, 0);
+    ForgedState state(followed.game);
+    state.entities[0].position.x = units(x);
+    followed.game = state.game();
+    followed.cutter.begin(followed.game, 0);
+    followed.hold(90, 0);  // longer than a group is followed at least
+    followed.holdToGoal(200, Input::kRight);
+    ASSERT_TRUE(followed.time);
+    EXPECT_FALSE(followed.run);
+    followed.hold(1, Input::kRestart);
+    followed.hold(60, Input::kLeft);
+    followed.holdToGoal(300, Input::kRight);
+    expectSameRun(followed);
+  }
 }
 
 TEST(RunCutter, WhoLeavesHasNoRun) {

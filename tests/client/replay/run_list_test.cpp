@@ -12,6 +12,7 @@
 #include "platon/game/game.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/older_rules.h"
+#include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -66,6 +67,20 @@ TEST_F(RunListTest, ARunOfAFriendHasTheNameOfItsFile) {
   EXPECT_EQ(run.level->title, "Floor");
   EXPECT_EQ(run.time, time());
   EXPECT_EQ(run.note, "");
+}
+
+// A name says nothing of what was played.
+TEST_F(RunListTest, AnOwnFileThatShowsNoRunHasNoTimeAndIsNotTheBest) {
+  store_.keep(*followed_.run);
+  const fs::path forged = folder_ / "runs" / RunStore::fileNameOf(followed_.game.level().hash, 6);
+  const auto bytes = forgedRun(followed_.game.sharedLevel(), units(60));
+  writeText(forged, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  load();
+  ASSERT_EQ(list_.runs().size(), 2U);
+  for (const ListedRun& run : list_.runs()) {
+    EXPECT_EQ(run.time, run.file == forged ? "" : time());
+    EXPECT_EQ(run.isBest, run.file != forged);
+  }
 }
 
 TEST_F(RunListTest, AFileWithTheNameOfAKeptRunIsThatOfAFriend) {

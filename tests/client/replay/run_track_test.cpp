@@ -103,26 +103,6 @@ TEST(RunTrack, APlayerWhoStaysOnItsFirstFaceHasNoSplit) {
   }
 }
 
-TEST(RunTrack, TheRunIsThatOfThePlayerWhoTouchesTheGoalInTheLastTick) {
-  PlayedGame played(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
-  played.hold(0, Input::kRight);
-  played.hold(1, Input::kLeft);
-  do played.advance();
-  while (played.player(0).arrived == 0);
-  played.hold(1, Input::kRight);
-  Game before = played.game;
-  while (played.player(1).arrived == 0) {
-    before = played.game;
-    played.advance();
-  }
-  ASSERT_NE(played.player(0).arrived, 0U);
-  const auto finish = finishOf(before, played.game, played.game.tick());
-  ASSERT_TRUE(finish);
-  EXPECT_EQ(finish->slot, 1U);
-  EXPECT_TRUE(finishOf(before, played.game, finish->ticks)) << "the attempt began with the recording";
-  EXPECT_FALSE(finishOf(before, played.game, finish->ticks - 1)) << "and here before it";
-}
-
 TEST(RunTrack, ItsComputationCanBeStopped) {
   const auto replay = replayOf(overTheEdge().run->recording);
   std::stop_source stop;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "client/replay/recording_facts.h"
 #include "platon/game/recorder.h"
 #include "tests/client/replay/followed_game.h"
+#include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -51,6 +53,16 @@ TEST_F(TrackFileTest, SaysWhyAFileIsNoRun) {
   recorder.finish(Game(followed_.game.sharedLevel()));
   write(recorder.takeBytes());
   EXPECT_EQ(fault(), ": is no run: it does not end with a player at the goal");
+}
+
+// Such a file verifies, and has a time of a few ticks.
+TEST_F(TrackFileTest, ARecordingThatBeginsBesideTheGoalIsNoRun) {
+  write(forgedRun(followed_.game.sharedLevel(), units(60)));
+  EXPECT_EQ(fault(),
+            ": is no run: at its beginning the player is neither absent nor at rest at the start of the level");
+  const RecordingFacts facts = readRecordingFacts(file_);
+  EXPECT_EQ(facts.note, "") << "it can be watched";
+  EXPECT_EQ(facts.ticks, std::nullopt);
 }
 
 }  // namespace

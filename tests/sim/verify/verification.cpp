@@ -26,6 +26,8 @@ void Verifier::start(std::uint32_t from) {
   found_.firstTick = game.tick();
   found_.beginsInMidGame = game.slots() != 0 || game.openDoors() != 0 || game.over();
   found_.hash = game.hash();
+  run_.emplace(game);
+  before_ = game;
   game_ = std::move(game);
 }
 
@@ -36,6 +38,8 @@ Verification Verifier::run(const Played& played) {
   }
   if (found_.fault.empty()) found_.fault = reader_.fault();
   if (game_) found_.slots = game_->slots();
+  const bool whole = game_ && found_.fault.empty() && !found_.divergence;
+  found_.run = whole ? run_->finish(*before_, *game_) : "is no run: it was not replayed to its end";
   return found_;
 }
 
@@ -54,6 +58,8 @@ bool Verifier::matches(const RecordedBlock& block) {
 
 void Verifier::play(const RecordedBlock& block, const Played& played) {
   for (std::uint32_t i = 0; i < block.ticks(); ++i) {
+    if (i + 1 == block.ticks()) before_ = game_;
+    run_->add(block.inputsOf(i));
     game_->advance(block.inputsOf(i));
     const std::uint64_t hash = game_->hash();
     if (played) played(block.inputsOf(i), *game_);

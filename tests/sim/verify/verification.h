@@ -5,9 +5,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 
 #include "platon/game/game.h"
 #include "platon/game/input.h"
+#include "platon/game/recorded_run.h"
 #include "platon/game/recording_reader.h"
 #include "platon/game/state_difference.h"
 
@@ -30,7 +32,8 @@ struct Verification {
   bool beginsInMidGame = false;  ///< with players or open doors: what they did before cannot be verified
   std::uint64_t hash = 0;        ///< hash of the game after the last of `ticks`
   std::optional<Divergence> divergence;
-  std::string fault;  ///< error in the recording; empty for a complete one
+  std::variant<RunFinish, std::string> run;  ///< what it shows; or why that is no run, or is not known, as a clause
+  std::string fault;                         ///< error in the recording; empty for a complete one
 };
 
 /// Replays a recording and compares the hash after every tick and the state at every checkpoint.
@@ -54,6 +57,8 @@ class Verifier {
   RecordingReader reader_;
   std::optional<RecordedBlock> block_;  // next to be replayed
   std::optional<Game> game_;
+  std::optional<Game> before_;      // the last tick of the last block
+  std::optional<RecordedRun> run_;  // once there is a game
   Verification found_;
 };
 

@@ -17,16 +17,16 @@ namespace {
 void printJson(const std::string& path, const Verification& found, double timesRealTime) {
   std::printf(
       "{\"recording\":%s,\"firstTick\":%u,\"beginsInMidGame\":%s,\"ticks\":%u,\"players\":%u,\"hash\":\"%016llx\","
-      "\"complete\":%s,\"timesRealTime\":%.0f%s}\n",
+      "\"complete\":%s,%s,\"timesRealTime\":%.0f%s}\n",
       jsonText(path).c_str(), found.firstTick, found.beginsInMidGame ? "true" : "false", found.ticks, found.slots,
-      static_cast<unsigned long long>(found.hash), found.fault.empty() ? "true" : "false", timesRealTime,
-      found.divergence ? (",\"differs\":" + jsonOf(*found.divergence)).c_str() : "");
+      static_cast<unsigned long long>(found.hash), found.fault.empty() ? "true" : "false", jsonOf(found.run).c_str(),
+      timesRealTime, found.divergence ? (",\"differs\":" + jsonOf(*found.divergence)).c_str() : "");
 }
 
 void printText(const std::string& path, const Verification& found, double timesRealTime) {
-  std::printf("recording %s\nfirst tick %u%s\nticks %u\nplayers %u\nhash %016llx\n%.0f times real time\n", path.c_str(),
-              found.firstTick, found.beginsInMidGame ? "\nbegins in mid-game" : "", found.ticks, found.slots,
-              static_cast<unsigned long long>(found.hash), timesRealTime);
+  std::printf("recording %s\nfirst tick %u%s\nticks %u\nplayers %u\nhash %016llx\n%s\n%.0f times real time\n",
+              path.c_str(), found.firstTick, found.beginsInMidGame ? "\nbegins in mid-game" : "", found.ticks,
+              found.slots, static_cast<unsigned long long>(found.hash), textOf(found.run).c_str(), timesRealTime);
 }
 
 // One recording: says all about it.

@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "tests/shared/game/forged_recording.h"
+#include "tests/shared/game/played_game.h"
 #include "tests/sim/command_testing.h"
 #include "tests/sim/sim_options.h"
+#include "tests/sim/verify/verification.h"
 
 namespace platon::sim::verify_command_test {
 namespace {
@@ -20,12 +24,34 @@ TEST(VerifyCommandTest, PrintsOneJsonObject) {
   EXPECT_THAT(
       json,
       MatchesRegex("\\{\"recording\":\"[^\"]*\",\"firstTick\":0,\"beginsInMidGame\":false,\"ticks\":300,\"players\":3,"
-                   "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"timesRealTime\":[0-9]+\\}\n"));
+                   "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"run\":null,"
+                   "\"noRun\":\"is no run: it does not end with a player at the goal\",\"timesRealTime\":[0-9]+\\}\n"));
   EXPECT_EQ(
       hashIn(json),
       hashIn(outputOf(runCommand, {levelFile(), "--ticks", "300", "--players", "3", "--drive", "churn", "--json"})));
   EXPECT_THAT(outputOf(verifyCommand, {path, "--from", "130", "--json"}),
               HasSubstr("\"firstTick\":120,\"beginsInMidGame\":true,\"ticks\":180,"));
+}
+
+TEST(VerifyCommandTest, SaysWhetherARecordingIsARun) {
+  const auto level = cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190");
+  const auto verified = [](const std::vector<std::uint8_t>& recording, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{
+        fileWith("run", {reinterpret_cast<const char*>(recording.data()), recording.size()})};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return outputOf(verifyCommand, arguments);
+  };
+  const auto run = recordToGoal(Game(level));
+  const auto ticks = std::get<RunFinish>(Verifier(run).run().run).ticks;
+  EXPECT_THAT(verified(run, {"--json"}), HasSubstr("\"run\":{\"player\":0,\"ticks\":" + std::to_string(ticks) + "},"));
+  EXPECT_THAT(verified(run, {}), HasSubstr("is a run of player 0: " + std::to_string(ticks) + " ticks\n"));
+  const auto forged = forgedRun(level, units(60));
+  const std::string why =
+      "is no run: at its beginning the player is neither absent nor at rest at the start of the level";
+  EXPECT_THAT(verified(forged, {"--json"}), HasSubstr("\"run\":null,\"noRun\":\"" + why + "\","));
+  EXPECT_THAT(verified(forged, {}), HasSubstr(why + "\n"));
+  const auto cut = std::span(run).first(run.size() - 1);
+  EXPECT_EQ(std::get<std::string>(Verifier(cut).run().run), "is no run: it was not replayed to its end");
 }
 
 TEST(VerifyCommandTest, RecordsTheReplay) {

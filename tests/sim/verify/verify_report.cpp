@@ -31,6 +31,18 @@ std::string jsonOf(const Divergence& divergence) {
   return text + "}";
 }
 
+std::string jsonOf(const std::variant<RunFinish, std::string>& run) {
+  if (const auto* const fault = std::get_if<std::string>(&run)) return "\"run\":null,\"noRun\":" + jsonText(*fault);
+  const RunFinish& finish = std::get<RunFinish>(run);
+  return "\"run\":{\"player\":" + std::to_string(finish.slot) + ",\"ticks\":" + std::to_string(finish.ticks) + "}";
+}
+
+std::string textOf(const std::variant<RunFinish, std::string>& run) {
+  if (const auto* const fault = std::get_if<std::string>(&run)) return *fault;
+  const RunFinish& finish = std::get<RunFinish>(run);
+  return "is a run of player " + std::to_string(finish.slot) + ": " + std::to_string(finish.ticks) + " ticks";
+}
+
 VerifyReport reportOf(const std::string& path, const Verification& found) {
   VerifyReport report{{}, found.divergence ? 1 : found.fault.empty() ? 0 : 3};
   if (found.divergence) report.text += path + ": " + sentenceOf(*found.divergence) + "\n";

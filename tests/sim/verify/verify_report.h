@@ -15,5 +15,9 @@ struct VerifyReport {
 VerifyReport reportOf(const std::string& path, const Verification& found);
 /// The value of the key "differs" of `verify --json`.
 std::string jsonOf(const Divergence& divergence);
+/// The keys "run" and "noRun" of `verify --json`, with their values.
+std::string jsonOf(const std::variant<RunFinish, std::string>& run);
+/// The line on the run.
+std::string textOf(const std::variant<RunFinish, std::string>& run);
 
 }  // namespace platon::sim

@@ -1,0 +1,104 @@
+#include "platon/game/recorded_run.h"
+
+#include <algorithm>
+
+namespace platon {
+namespace {
+
+bool hasArrived(const Game& game, std::uint32_t slot) { return slot < game.slots() && game.player(slot).arrived != 0; }
+
+// Who touches the goal in the tick from `before` to `after`.
+std::optional<std::uint32_t> runnerOf(const Game& before, const Game& after) {
+  for (std::uint32_t slot = 0; slot < after.slots(); ++slot) {
+    if (hasArrived(after, slot) && !hasArrived(before, slot)) return slot;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Without the names and counts that an entity keeps when it returns to the start.
+LevelRest::Stay LevelRest::stayOf(const Game& game, std::uint32_t slot) {
+  const auto instances = game.world().instancesOf(slot);
+  Stay stay{game.world().entities()[slot], {instances.begin(), instances.end()}, game.player(slot)};
+  stay.entity.id = stay.entity.nextId = 0;
+  stay.entity.crossings = 0;
+  for (InstanceState& instance : stay.instances) instance.id = instance.parent = 0;
+  stay.player.held = 0;
+  stay.player.finishTicks = 0;
+  return stay;
+}
+
+LevelRest::LevelRest(const std::shared_ptr<const Level>& level) {
+  const Input rest{Input::kPresent};
+  Game game(level);
+  while (stays_.size() < kMaxTicks) {
+    game.advance({&rest, 1});
+    doors_ |= game.openDoors();
+    Stay stay = stayOf(game, 0);
+    const bool rests = !stays_.empty() && stay == stays_.back();
+    stays_.push_back(std::move(stay));
+    if (rests && level->elements.empty()) return;
+  }
+}
+
+std::optional<std::uint32_t> LevelRest::ticksTo(const Game& game, std::uint32_t slot) const {
+  if (slot >= game.slots() || game.player(slot).present == 0) return std::nullopt;
+  const auto found = std::find(stays_.begin(), stays_.end(), stayOf(game, slot));
+  if (found == stays_.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - stays_.begin()) + 1;
+}
+
+RecordedRun::RecordedRun(const Game& start) : start_(start), tick_(start.tick()), found_(start.slots()) {
+  for (std::uint32_t slot = 0; slot < start.slots(); ++slot) {
+    const PlayerState& player = start.player(slot);
+    found_[slot] = {player.held, player.present != 0 ? UINT32_MAX : 0};
+  }
+}
+
+void RecordedRun::add(std::span<const Input> inputs) {
+  ++tick_;
+  for (std::size_t slot = 0; slot < found_.size(); ++slot) {
+    Found& found = found_[slot];
+    if (found.renewedAt != UINT32_MAX) continue;
+    const Input input = slot < inputs.size() ? inputs[slot] : Input();
+    const bool restarts = input.has(Input::kRestart) && (found.held & Input::kRestart) == 0;
+    if (restarts || !input.has(Input::kPresent)) found.renewedAt = tick_;
+    found.held = input.buttons;
+  }
+}
+
+std::variant<RunFinish, std::string> RecordedRun::finish(const Game& before, const Game& end) const {
+  const std::optional<std::uint32_t> slot = runnerOf(before, end);
+  if (!slot) return "is no run: it does not end with a player at the goal";
+  const std::uint32_t startedAt = end.player(*slot).startedAt;
+  if (startedAt <= start_.tick()) return "is no run: its attempt began before the recording";
+  std::string fault = faultOf(*slot, startedAt);
+  if (!fault.empty()) return fault;
+  return RunFinish{*slot, end.tick() - startedAt + 1};
+}
+
+// Whether the attempt from tick `startedAt` meets the player as it was found.
+bool RecordedRun::isThere(std::uint32_t slot, std::uint32_t startedAt) const {
+  return slot < found_.size() && found_[slot].renewedAt > startedAt;
+}
+
+std::string RecordedRun::faultOf(std::uint32_t runner, std::uint32_t startedAt) const {
+  const Level& level = start_.level();
+  const bool hasDoors = level.doorNumbers != 0;
+  std::optional<LevelRest> rest;
+  for (std::uint32_t slot = 0; slot < found_.size(); ++slot) {
+    if ((slot != runner && !hasDoors) || !isThere(slot, startedAt)) continue;
+    if (!rest) rest.emplace(start_.sharedLevel());
+    if (rest->ticksTo(start_, slot)) continue;
+    return slot == runner
+               ? "is no run: at its beginning the player is neither absent nor at rest at the start of the level"
+               : "is no run: at its beginning another player is not at rest at the start of the level, where doors are "
+                 "opened for all";
+  }
+  if (start_.openDoors() == 0) return {};
+  if (!rest) rest.emplace(start_.sharedLevel());
+  return (start_.openDoors() & ~rest->doors()) == 0 ? std::string() : "is no run: doors are open at its beginning";
+}
+
+}  // namespace platon

@@ -1,0 +1,240 @@
+#include "platon/game/recorded_run.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tests/shared/game/forged_recording.h"
+#include "tests/shared/game/played_game.h"
+
+namespace platon::recorded_run_test {
+namespace {
+
+constexpr const char* kElsewhere =
+    "is no run: at its beginning the player is neither absent nor at rest at the start of the level";
+constexpr const char* kOtherElsewhere =
+    "is no run: at its beginning another player is not at rest at the start of the level, where doors are opened for "
+    "all";
+constexpr const char* kDoorsOpen = "is no run: doors are open at its beginning";
+constexpr const char* kBefore = "is no run: its attempt began before the recording";
+constexpr const char* kNoGoal = "is no run: it does not end with a player at the goal";
+
+// The goal is on the floor to the right of the start.
+std::shared_ptr<const Level> floorLevel() { return cubeLevel("0 0 -150 0", {"-240 -200 240 -200"}, "0 100 -190"); }
+
+// A door between start and goal, and its key on the other side.
+std::shared_ptr<const Level> doorLevel() {
+  return cubeLevel("0 0 -180 0", {"-240 -200 240 -200\n60 -200 60 200 door 1\n-60 -200 -60 -150 key 1"}, "0 150 -190");
+}
+
+Input with(std::uint8_t buttons) { return {static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
+
+// Plays on from `start` with the inputs of each tick until somebody touches the goal, at most for 400 ticks.
+std::variant<RunFinish, std::string> playToGoal(const Game& start,
+                                                const std::function<std::vector<Input>(int)>& inputsOf) {
+  RecordedRun run(start);
+  Game game = start;
+  Game before = start;
+  const auto arrived = [](const Game& played) {
+    for (std::uint32_t slot = 0; slot < played.slots(); ++slot) {
+      if (played.player(slot).arrived != 0) return true;
+    }
+    return false;
+  };
+  for (int tick = 0; tick < 400 && (tick == 0 || !arrived(game)); ++tick) {
+    const std::vector<Input> inputs = inputsOf(tick);
+    before = game;
+    game.advance(inputs);
+    run.add(inputs);
+  }
+  return run.finish(before, game);
+}
+
+std::variant<RunFinish, std::string> runToGoal(const Game& start) {
+  return playToGoal(start, [](int) { return std::vector{with(Input::kRight)}; });
+}
+
+std::string faultOf(const std::variant<RunFinish, std::string>& run) {
+  return std::holds_alternative<std::string>(run) ? std::get<std::string>(run) : "none";
+}
+
+std::uint32_t ticksOf(const std::variant<RunFinish, std::string>& run) {
+  return std::holds_alternative<RunFinish>(run) ? std::get<RunFinish>(run).ticks : 0;
+}
+
+Game atRest(const std::shared_ptr<const Level>& level, int ticks = 100) {
+  PlayedGame played(level);
+  played.run(ticks, kNone);
+  return played.game;
+}
+
+TEST(LevelRest, KnowsEveryTickOfTheFallFromTheStart) {
+  const auto level = floorLevel();
+  const LevelRest rest(level);
+  PlayedGame played(level);
+  played.hold(1, kNone);
+  played.hold(2, Input::kRight);
+  played.advance();
+  std::uint32_t ticks = 1;
+  for (; played.player(1).ground == Point(); ++ticks, played.advance()) {
+    ASSERT_EQ(rest.ticksTo(played.game, 1), ticks);
+  }
+  EXPECT_GT(ticks, 10U);
+  played.advance(5000);
+  EXPECT_TRUE(rest.ticksTo(played.game, 1));
+  EXPECT_FALSE(rest.ticksTo(played.game, 0)) << "absent";
+  EXPECT_FALSE(rest.ticksTo(played.game, 2)) << "moves";
+  EXPECT_FALSE(rest.ticksTo(played.game, 3)) << "no slot";
+}
+
+TEST(LevelRest, WhoReturnsToTheStartLiesThereAgain) {
+  const auto level = floorLevel();
+  PlayedGame played(level);
+  played.run(150, Input::kRight);
+  ASSERT_NE(played.player().finishTicks, 0U);
+  played.run(1, Input::kRestart);
+  EXPECT_EQ(LevelRest(level).ticksTo(played.game, 0), 1U);
+}
+
+TEST(RecordedRun, AnAttemptFromTheStartIsARun) {
+  const auto fresh = runToGoal(Game(floorLevel()));
+  EXPECT_EQ(faultOf(fresh), "none");
+  for (const int ticks : {1, 5, 100, 700}) EXPECT_EQ(faultOf(runToGoal(atRest(floorLevel(), ticks))), "none") << ticks;
+  EXPECT_EQ(ticksOf(runToGoal(atRest(floorLevel(), 100))), ticksOf(runToGoal(atRest(floorLevel(), 700))));
+}
+
+TEST(RecordedRun, WithoutAnArrivalInTheLastTickThereIsNone) {
+  EXPECT_EQ(faultOf(playToGoal(Game(floorLevel()), [](int) { return std::vector{with(Input::kLeft)}; })), kNoGoal);
+}
+
+TEST(RecordedRun, TheRunIsThatOfThePlayerWhoTouchesTheGoalInTheLastTick) {
+  PlayedGame played(floorLevel());
+  RecordedRun run(played.game);
+  played.hold(0, Input::kRight);
+  played.hold(1, Input::kLeft);
+  int ticks = 0;
+  const auto advance = [&] {
+    played.advance();
+    run.add(std::vector<Input>(2, with(kNone)));
+    ++ticks;
+  };
+  do advance();
+  while (played.player(0).arrived == 0);
+  played.hold(1, Input::kRight);
+  Game before = played.game;
+  while (played.player(1).arrived == 0) {
+    before = played.game;
+    advance();
+  }
+  ASSERT_NE(played.player(0).arrived, 0U);
+  const auto finish = run.finish(before, played.game);
+  ASSERT_EQ(faultOf(finish), "none");
+  EXPECT_EQ(std::get<RunFinish>(finish).slot, 1U);
+  EXPECT_EQ(ticksOf(finish), static_cast<std::uint32_t>(ticks)) << "the attempt began with the recording";
+  Game later(floorLevel());
+  later.advance({});
+  EXPECT_EQ(faultOf(RecordedRun(later).finish(before, played.game)), kBefore) << "and here before it";
+}
+
+TEST(RecordedRun, APlaceBesideTheGoalIsRefused) {
+  ForgedState state(atRest(floorLevel()));
+  state.entities[0].position.x = units(70);
+  EXPECT_EQ(faultOf(runToGoal(state.game())), kElsewhere);
+}
+
+TEST(RecordedRun, AVelocityIsRefused) {
+  ForgedState state(atRest(floorLevel()));
+  state.players[0].velocity.x = 9000;
+  EXPECT_EQ(faultOf(runToGoal(state.game())), kElsewhere);
+}
+
+TEST(RecordedRun, AClockThatRunsIsRefused) {
+  ForgedState state(atRest(floorLevel()));
+  state.players[0].startedAt = state.tick;
+  EXPECT_EQ(faultOf(runToGoal(state.game())), kBefore);
+}
+
+TEST(RecordedRun, OpenDoorsAreRefused) {
+  for (const auto field : {&ForgedState::keys, &ForgedState::plates}) {
+    ForgedState state(atRest(doorLevel()));
+    state.*field = state.game().level().doorNumbers;
+    EXPECT_EQ(faultOf(runToGoal(state.game())), field == &ForgedState::keys ? kDoorsOpen : kNoGoal);
+  }
+}
+
+// A helper who begins beside the key.
+TEST(RecordedRun, WhoCanOpenDoorsMustComeFromTheStartToo) {
+  PlayedGame played(doorLevel());
+  played.hold(1, kNone);
+  played.run(100, kNone);
+  const auto help = [](int tick) {
+    return std::vector{with(tick < 40 ? kNone : Input::kRight), with(tick < 40 ? Input::kLeft : kNone)};
+  };
+  const auto honest = playToGoal(played.game, help);
+  EXPECT_EQ(faultOf(honest), "none");
+  EXPECT_GT(ticksOf(honest), 40U) << "timed from the first input of the helper";
+  ForgedState state(played.game);
+  state.entities[1].position.x = units(-45);
+  EXPECT_EQ(faultOf(playToGoal(state.game(), help)), kOtherElsewhere);
+}
+
+TEST(RecordedRun, WithoutDoorsItDoesNotMatterWhereOthersAre) {
+  PlayedGame played(floorLevel());
+  played.hold(1, Input::kLeft);
+  played.run(100, kNone);
+  const auto run = playToGoal(played.game, [](int) { return std::vector{with(Input::kRight), with(Input::kLeft)}; });
+  EXPECT_EQ(faultOf(run), "none");
+}
+
+// The game itself puts these to the start.
+TEST(RecordedRun, WhoRestartsOrJoinsLaterHasARun) {
+  PlayedGame played(floorLevel());
+  played.run(10, Input::kRight | Input::kJump);
+  const auto after = [&](Input first) {
+    return playToGoal(played.game, [&](int tick) { return std::vector{tick == 0 ? first : with(Input::kRight)}; });
+  };
+  EXPECT_EQ(faultOf(after(with(kNone))), kBefore);
+  EXPECT_EQ(faultOf(after(with(Input::kRestart))), "none");
+  EXPECT_EQ(faultOf(after({})), "none");
+  played.run(1, Input::kRestart);
+  played.run(10, Input::kRestart | Input::kRight);
+  EXPECT_EQ(faultOf(after(with(Input::kRestart))), kBefore) << "a button that is held does not restart";
+  const auto joined = playToGoal(played.game, [](int) { return std::vector{with(kNone), with(Input::kRight)}; });
+  EXPECT_EQ(faultOf(joined), "none");
+  EXPECT_EQ(ticksOf(joined), ticksOf(runToGoal(Game(floorLevel()))));
+}
+
+TEST(RecordedRun, AHeldRestartHidesNothing) {
+  ForgedState state(atRest(floorLevel()));
+  state.entities[0].position.x = units(60);
+  state.players[0].held = Input::kPresent | Input::kRestart;
+  const auto restart = [](int) { return std::vector{with(Input::kRight | Input::kRestart)}; };
+  EXPECT_EQ(faultOf(playToGoal(state.game(), restart)), kElsewhere);
+}
+
+// Whatever is invented of the beginning, a run is not shorter for it.
+TEST(RecordedRun, NoChangedBitOfTheBeginningMakesItShorter) {
+  const Game honest = atRest(floorLevel(), 20);
+  const std::uint32_t ticks = ticksOf(runToGoal(honest));
+  ASSERT_GT(ticks, 0U);
+  int refused = 0;
+  for (std::size_t bit = 0; bit < 8 * honest.save().size(); ++bit) {
+    std::vector<std::uint8_t> bytes = honest.save();
+    bytes[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
+    Game forged = honest;
+    if (!forged.restore(bytes)) continue;
+    const auto run = runToGoal(forged);
+    if (std::holds_alternative<RunFinish>(run)) {
+      EXPECT_GE(ticksOf(run), ticks) << bit;
+    } else {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50);
+}
+
+}  // namespace
+}  // namespace platon::recorded_run_test
