@@ -103,7 +103,7 @@ int play(int argc, char** argv) {
     return 0;
   }
   if (options->offscreen && !options->replay.empty()) {
-    OffscreenReplay(*options, SettingsFile(configFolder()).load()).run();
+    OffscreenReplay(*options, SettingsFile(configFolder()).load(), steadyClock(), stopRequested).run();
     return 0;
   }
   if (!options->offscreen) {

@@ -1,5 +1,6 @@
 #include "client/play/replay_play.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -22,12 +23,13 @@ void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, d
 }
 
 ReplayPlay::ReplayPlay(std::filesystem::path file)
-    : file_(std::move(file)),
-      reading_([file = file_](const std::stop_token& stop) { return readReplay(file, stop); }) {}
+    : file_(std::move(file)), reading_([file = file_, progress = progress_](const std::stop_token& stop) {
+        return readReplay(file, stop, progress.get());
+      }) {}
 
 void ReplayPlay::advance(double seconds) {
   if (auto read = reading_.poll()) return take(std::move(*read));
-  if (viewer_) viewer_->advance(seconds);
+  if (viewer_) viewer_->advance(std::min(seconds, kMaxSeconds));
 }
 
 void ReplayPlay::take(JobResult<Read> read) {
@@ -53,10 +55,14 @@ void ReplayPlay::handle(PointerEvent event, const GameView& view, const Settings
   if (viewer_) viewer_->handle(event, view.screen() / scale);
 }
 
+std::string ReplayPlay::readingText() const {
+  return "reading " + file_.filename().string() + " … " + std::to_string(progress_->load()) + " %";
+}
+
 void ReplayPlay::draw(GameView& view, const Settings& settings, double seconds, bool gamepad) const {
   if (viewer_) return drawReplay(*viewer_, view, settings, seconds, gamepad);
   HudStatus status;
-  status.message = "reading " + file_.filename().string() + " …";
+  status.message = readingText();
   view.draw(nullptr, status, settings, Overlay(), seconds);
 }
 

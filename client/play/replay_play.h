@@ -23,13 +23,21 @@ class ReplayPlay {
   /// Starts to read the file. A file that cannot be played gives a fault.
   explicit ReplayPlay(std::filesystem::path file);
 
-  /// Plays on for `seconds`, as soon as the file has been read.
+  /// Longest time that `advance` plays in one call, seconds: ticks that take longer than they last would otherwise cost
+  /// more from picture to picture.
+  static constexpr double kMaxSeconds = 0.1;
+
+  /// Plays on for `seconds`, at most kMaxSeconds, as soon as the file has been read.
   void advance(double seconds);
+  /// Shows the picture after so many seconds. The file has been read.
+  void skipTo(double seconds) { viewer_->skipTo(seconds); }
   void handle(const KeyEvent& event);
   void handle(PointerEvent event, const GameView& view, const Settings& settings);
   void draw(GameView& view, const Settings& settings, double seconds, bool gamepad = false) const;
 
   const std::filesystem::path& file() const { return file_; }
+  /// What is shown while the file is being read: its name, and how far that is.
+  std::string readingText() const;
   /// Why the recording cannot be played, a sentence; empty: it can, as far as is known.
   const std::string& fault() const { return fault_; }
   /// Whether the viewer wants to leave.
@@ -43,6 +51,7 @@ class ReplayPlay {
   void take(JobResult<Read> read);
 
   std::filesystem::path file_;
+  std::shared_ptr<ReplayProgress> progress_ = std::make_shared<ReplayProgress>(0);  // of reading_
   Job<Read> reading_;
   std::optional<ReplayViewer> viewer_;
   std::string fault_;

@@ -27,7 +27,8 @@ bool PlayCost::add(const RecordedBlock& block) {
 }
 
 std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<const std::uint8_t> recording,
-                                                                      const std::stop_token& stop) {
+                                                                      const std::stop_token& stop,
+                                                                      ReplayProgress* progress) {
   RecordingReader reader(recording);
   std::optional<RecordedBlock> first = reader.next();
   if (!first) return recordingFault(reader, recording);
@@ -36,7 +37,7 @@ std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<
   const std::shared_ptr<Replay> replay(new Replay(std::move(*start)));
   std::string fault = replay->readBlocks(reader, std::move(*first), stop);
   if (fault.empty()) fault = recordingFault(reader, recording);
-  if (fault.empty()) fault = replay->play(stop);
+  if (fault.empty()) fault = replay->play(stop, progress);
   if (!fault.empty()) return fault;
   return replay;
 }
@@ -60,7 +61,7 @@ std::string Replay::add(RecordedBlock block) {
 }
 
 // Plays it once. The recorded states and hashes must be those of this program.
-std::string Replay::play(const std::stop_token& stop) {
+std::string Replay::play(const std::stop_token& stop, ReplayProgress* progress) {
   interval_ = std::max(kMinInterval, ticks_ / (kMaxStates - 1) + 1);
   Game game = start_;
   Game before = start_;  // the last tick
@@ -73,6 +74,7 @@ std::string Replay::play(const std::stop_token& stop) {
     if (game.save() != block.state) return differs();
     for (std::uint32_t i = 0; i < block.ticks(); ++i, ++tick) {
       if (stop.stop_requested()) return kStopped;
+      if (progress != nullptr) *progress = static_cast<std::uint32_t>(std::uint64_t{tick} * 100 / ticks_);
       if (tick % interval_ == 0) states_.push_back(game.save());
       if (tick + 1 == ticks_) before = game;
       run.add(block.inputsOf(i));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -43,6 +44,9 @@ class PlayCost {
   std::uint64_t sum_ = 0;
 };
 
+/// How much of a recording has been played, in per cent. One thread plays it, another one looks.
+using ReplayProgress = std::atomic<std::uint32_t>;
+
 /// A recording that has been read and played once from its start to its end: every hash and every checkpoint agreed
 /// with the game of this program. Keeps states in between, from which each tick is reached soon.
 class Replay {
@@ -61,9 +65,10 @@ class Replay {
 
   /// The replay of a recording, or why there is none, as the end of a sentence that begins with the name of its file:
   /// it is damaged, cut off, costs too much, or was made by other rules. Ends with the present block or tick when it is
-  /// asked to stop.
+  /// asked to stop. `progress`: where to tell how far it is; null: nowhere.
   static std::variant<std::shared_ptr<const Replay>, std::string> read(std::span<const std::uint8_t> recording,
-                                                                       const std::stop_token& stop = {});
+                                                                       const std::stop_token& stop = {},
+                                                                       ReplayProgress* progress = nullptr);
 
   const std::shared_ptr<const Level>& level() const { return start_.sharedLevel(); }
   /// Number of recorded ticks.
@@ -81,7 +86,7 @@ class Replay {
   explicit Replay(Game start) : start_(std::move(start)), cost_(start_) {}
   std::string readBlocks(RecordingReader& reader, RecordedBlock first, const std::stop_token& stop);
   std::string add(RecordedBlock block);
-  std::string play(const std::stop_token& stop);
+  std::string play(const std::stop_token& stop, ReplayProgress* progress);
 
   Game start_;
   PlayCost cost_;

@@ -60,10 +60,11 @@ RecordingBytes readRecordingBytes(const fs::path& file, const std::stop_token& s
   return read;
 }
 
-std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const fs::path& file, const std::stop_token& stop) {
+std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const fs::path& file, const std::stop_token& stop,
+                                                                    ReplayProgress* progress) {
   const RecordingBytes read = readRecordingBytes(file, stop);
   if (!read.fault.empty()) return file.string() + ": " + read.fault;
-  auto replay = Replay::read(read.bytes(), stop);
+  auto replay = Replay::read(read.bytes(), stop, progress);
   if (const auto* fault = std::get_if<std::string>(&replay)) return file.string() + ": " + *fault;
   return replay;
 }

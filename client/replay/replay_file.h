@@ -26,9 +26,10 @@ struct RecordingBytes {
 RecordingBytes readRecordingBytes(const std::filesystem::path& file, const std::stop_token& stop = {});
 
 /// Reads a recording from a file, or says in one sentence why it cannot be played. Stops as
-/// readRecordingBytes and Replay::read do.
+/// readRecordingBytes and Replay::read do, and tells its progress as the latter.
 std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,
-                                                                    const std::stop_token& stop = {});
+                                                                    const std::stop_token& stop = {},
+                                                                    ReplayProgress* progress = nullptr);
 
 /// Reads the head of a recording from a file. Nothing if it cannot be read, or was stopped.
 std::optional<RecordingHead> readRecordingHeadOf(const std::filesystem::path& file, const std::stop_token& stop = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace platon {
@@ -24,6 +25,15 @@ void ReplayPlayer::advance(double seconds) {
   if (fraction_ <= 1) return;
   fraction_ = 1;
   paused_ = true;
+}
+
+void ReplayPlayer::skipTo(double seconds) {
+  const double passed = std::min(seconds * kTicksPerSecond, static_cast<double>(replay_->ticks()));
+  paused_ = passed < seconds * kTicksPerSecond;
+  const double last = std::ceil(passed);
+  seek(static_cast<std::uint32_t>(std::max(last - 1, 0.0)));
+  if (last > 0) playTick();
+  fraction_ = last > 0 ? passed - last + 1 : 1;
 }
 
 void ReplayPlayer::togglePause() {

@@ -17,6 +17,9 @@ class ReplayPlayer {
 
   /// Plays on for `seconds` ≥ 0 of the viewer's time; no effect while paused. Pauses at the end.
   void advance(double seconds);
+  /// Goes where `advance` leads in so many seconds ≥ 0 from the start at the normal speed, without playing all that is
+  /// before.
+  void skipTo(double seconds);
   /// Pauses, or plays on; from the start if all has been played.
   void togglePause();
   /// Pauses one tick further, or with a negative number back. Stops at start and end.

@@ -26,6 +26,8 @@ class ReplayViewer {
   void handle(const PointerEvent& event, glm::vec2 screen);
   /// Plays on for `seconds`.
   void advance(double seconds);
+  /// As ReplayPlayer::skipTo.
+  void skipTo(double seconds) { player_.skipTo(seconds); }
 
   const ReplayPlayer& player() const { return player_; }
   /// The player whom the camera follows is drawn as the local one.

@@ -1,33 +1,42 @@
 #include "client/play/offscreen/offscreen_replay.h"
 
+#include <chrono>
 #include <cstdio>
-#include <memory>
-#include <string>
-#include <variant>
 
 #include "client/gl/image.h"
 #include "client/play/play_window.h"
-#include "client/play/replay_play.h"
-#include "client/replay/replay_file.h"
 #include "protocol/program_error.h"
 
 namespace platon {
 namespace {
 
-std::shared_ptr<const Replay> load(const std::string& file) {
-  auto replay = readReplay(file);
-  if (const auto* fault = std::get_if<std::string>(&replay)) throw ProgramError(ProgramError::kLevel, *fault);
-  return std::get<std::shared_ptr<const Replay>>(std::move(replay));
-}
+constexpr Moment kPollInterval = std::chrono::milliseconds(5);
+constexpr Moment kToldInterval = std::chrono::seconds(2);
 
 }  // namespace
 
-OffscreenReplay::OffscreenReplay(const ClientOptions& options, const Settings& settings)
-    : options_(options), settings_(settings), viewer_(load(options.replay)), view_(kPictureWidth, kPictureHeight) {}
+OffscreenReplay::OffscreenReplay(const ClientOptions& options, const Settings& settings, const Clock& clock,
+                                 const std::function<bool()>& stopRequested)
+    : options_(options), settings_(settings), replay_(options.replay), view_(kPictureWidth, kPictureHeight) {
+  read(clock, stopRequested);
+}
+
+void OffscreenReplay::read(const Clock& clock, const std::function<bool()>& stopRequested) {
+  Moment toldAt = clock.now();
+  for (;; clock.sleepUntil(clock.now() + kPollInterval)) {
+    if (stopRequested()) throw ProgramError(ProgramError::kFailed, options_.replay + ": " + Replay::kStopped);
+    replay_.advance(0);
+    if (!replay_.fault().empty()) throw ProgramError(ProgramError::kLevel, replay_.fault());
+    if (replay_.viewer() != nullptr) return;
+    if (clock.now() - toldAt < kToldInterval) continue;
+    toldAt = clock.now();
+    std::fprintf(stderr, "platon-client: %s\n", replay_.readingText().c_str());
+  }
+}
 
 void OffscreenReplay::run() {
-  viewer_.advance(options_.seconds.value_or(viewer_.player().replay().ticks()));
-  drawReplay(viewer_, view_, settings_, 0);
+  replay_.skipTo(options_.seconds.value_or(viewer().player().replay().ticks()));
+  drawReplay(viewer(), view_, settings_, 0);
   if (options_.screenshot.empty()) return;
   writePng(view_.read(), options_.screenshot);
   std::printf("screenshot: %s\n", options_.screenshot.c_str());

@@ -42,6 +42,25 @@ TEST(ReplayPlayer, EveryStateIsThatOfTheStraightPlay) {
   });
 }
 
+TEST(ReplayPlayer, SkippingLeadsToThePictureThatPlayingLeadsTo) {
+  const auto replay = replayOf(recordGame(300, 60).recording);
+  for (const double seconds : {0.0, 0.004, 0.5, 2.0, 3.21, 4.999, 5.0, 6.0, 1e6}) {
+    ReplayPlayer played(replay);
+    played.advance(seconds);
+    ReplayPlayer skipped(replay);
+    skipped.skipTo(seconds);
+    EXPECT_EQ(skipped.tick(), played.tick()) << seconds;
+    EXPECT_NEAR(skipped.fraction(), played.fraction(), 1e-6) << seconds;
+    EXPECT_EQ(skipped.paused(), played.paused()) << seconds;
+    EXPECT_TRUE(skipped.game() == played.game()) << seconds;
+    ASSERT_EQ(skipped.players().before.size(), played.players().before.size());
+    for (std::size_t slot = 0; slot < played.players().before.size(); ++slot) {
+      EXPECT_EQ(skipped.players().before[slot].position, played.players().before[slot].position) << seconds;
+      EXPECT_EQ(skipped.players().now[slot].position, played.players().now[slot].position) << seconds;
+    }
+  }
+}
+
 TEST(ReplayPlayer, StepsOnAllGoldenRecordings) {
   for (const std::string& file : filesIn("tests/determinism/golden", ".recording")) {
     const auto replay = replayOf(readBytes(file));

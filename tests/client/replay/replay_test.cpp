@@ -187,6 +187,13 @@ TEST(PlayCost, ALongRoundOf256PlayersIsAllowedOnEveryShippedLevel) {
   }
 }
 
+TEST(Replay, TellsHowFarItIs) {
+  ReplayProgress progress = 0;
+  EXPECT_TRUE(
+      std::holds_alternative<std::shared_ptr<const Replay>>(Replay::read(recordGame(50, 60).recording, {}, &progress)));
+  EXPECT_EQ(progress, 98U) << "before the last of 50 ticks";
+}
+
 TEST(Replay, StopsWhenItIsAskedTo) {
   std::stop_source stop;
   stop.request_stop();

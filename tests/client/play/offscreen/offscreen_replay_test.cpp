@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -26,14 +27,14 @@ class OffscreenReplayTest : public testing::Test {
 TEST_F(OffscreenReplayTest, TheMomentOfTheTimeIsDrawn) {
   options_.seconds = 3;
   options_.screenshot = (folder_ / "picture.png").string();
-  OffscreenReplay replay(options_, Settings());
+  OffscreenReplay replay(options_, Settings(), steadyClock(), [] { return false; });
   replay.run();
   EXPECT_EQ(replay.viewer().player().tick(), 180U);
   EXPECT_GT(std::filesystem::file_size(options_.screenshot), 10000U);
 }
 
 TEST_F(OffscreenReplayTest, WithoutATimeTheEndIsDrawn) {
-  OffscreenReplay replay(options_, Settings());
+  OffscreenReplay replay(options_, Settings(), steadyClock(), [] { return false; });
   replay.run();
   EXPECT_EQ(replay.viewer().player().tick(), replay.viewer().player().replay().ticks());
 }
@@ -42,12 +43,23 @@ TEST_F(OffscreenReplayTest, WhatCannotBePlayedIsRefused) {
   options_.replay = (folder_ / "text").string();
   writeText(options_.replay, "no recording");
   try {
-    const OffscreenReplay replay(options_, Settings());
+    const OffscreenReplay replay(options_, Settings(), steadyClock(), [] { return false; });
     ADD_FAILURE() << "accepted";
   } catch (const ProgramError& error) {
     EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
     EXPECT_EQ(std::string(error.what()),
               options_.replay + ": cannot be played: byte 0: not a recording, or an unsupported version");
+  }
+}
+
+// Ctrl-C was without effect until all was played.
+TEST_F(OffscreenReplayTest, AStopEndsTheReading) {
+  try {
+    const OffscreenReplay replay(options_, Settings(), steadyClock(), [] { return true; });
+    ADD_FAILURE() << "read to the end";
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kFailed);
+    EXPECT_EQ(std::string(error.what()), options_.replay + ": was not read to its end");
   }
 }
 
