@@ -24,8 +24,8 @@ constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without se
       --trace FILE    writes every leg of every step as JSON lines
   platon-sim verify FILE [--from TICK] [--record FILE [--checkpoint-every TICKS]] [--json]
       Replays a recording from its start, or from the last checkpoint before TICK, and compares every hash and
-      checkpoint. Reports the first difference by tick, entity and field. --record writes the replayed game to a new
-      file.
+      checkpoint. Reports the first difference by tick, entity and field, and whether the recording is a run. --record
+      writes the replayed game to a new file. On a terminal a long one tells how far it is; Ctrl-C ends it.
   platon-sim verify FILE|FOLDER... --jobs N [--json]
       Replays many recordings, those of a server or a fleet, with N threads. A folder stands for all files NAME.recording
       in it and in its folders. Says what is wrong with which, how many agree, and how fast it was. Leaves out what a

@@ -2,7 +2,10 @@
 
 namespace platon::sim {
 
-Verifier::Verifier(std::span<const std::uint8_t> recording, std::uint32_t from) : reader_(recording) { start(from); }
+Verifier::Verifier(std::span<const std::uint8_t> recording, std::uint32_t from)
+    : reader_(recording), bytes_(recording.size()) {
+  start(from);
+}
 
 void Verifier::start(std::uint32_t from) {
   block_ = reader_.next();
@@ -13,6 +16,7 @@ void Verifier::start(std::uint32_t from) {
     if (!next) break;  // truncated: start with the last block
     block_ = std::move(next);
   }
+  begin_ = block_->offset;
   Game game(reader_.level());
   if (!game.restore(block_->state)) {
     found_.fault = "byte " + std::to_string(block_->offset) + ": the state of the block is not valid on this level";
@@ -29,6 +33,10 @@ void Verifier::start(std::uint32_t from) {
   run_.emplace(game);
   before_ = game;
   game_ = std::move(game);
+}
+
+double Verifier::part() const {
+  return block_ ? static_cast<double>(block_->offset - begin_) / static_cast<double>(bytes_ - begin_) : 1;
 }
 
 Verification Verifier::run(const Played& played) {

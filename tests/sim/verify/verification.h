@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -46,6 +47,8 @@ class Verifier {
 
   /// The game; null when the recording cannot be replayed at all.
   const Game* game() const { return game_ ? &*game_ : nullptr; }
+  /// Part of the blocks, in bytes, that has been replayed: 0 … 1.
+  double part() const;
   /// Replays to the end, or to the first checkpoint after a divergence. Calls `played` after every tick.
   Verification run(const Played& played = {});
 
@@ -55,6 +58,8 @@ class Verifier {
   void play(const RecordedBlock& block, const Played& played);
 
   RecordingReader reader_;
+  std::size_t bytes_;                   // of the recording
+  std::size_t begin_ = 0;               // of the first block that is replayed
   std::optional<RecordedBlock> block_;  // next to be replayed
   std::optional<Game> game_;
   std::optional<Game> before_;      // the last tick of the last block

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #include "platon/game/recorder.h"
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
@@ -135,6 +139,20 @@ TEST(VerificationTest, StartsAtTheLastCheckpointOfATruncatedRecording) {
   EXPECT_GT(found.firstTick, 0u);
   EXPECT_FALSE(found.fault.empty());
   EXPECT_FALSE(found.divergence);
+}
+
+TEST(VerificationTest, TellsWhichPartHasBeenReplayed) {
+  const Bytes bytes = record(500, 60);
+  for (const std::uint32_t from : {0u, 250u}) {
+    Verifier verifier(bytes, from);
+    std::vector<double> parts;
+    verifier.run([&](std::span<const Input>, const Game&) { parts.push_back(verifier.part()); });
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+    EXPECT_EQ(parts.front(), 0);
+    EXPECT_GT(parts.back(), 0.5);
+    EXPECT_LT(parts.back(), 1);
+    EXPECT_EQ(verifier.part(), 1);
+  }
 }
 
 TEST(VerificationTest, RefusesBytesThatAreNotARecording) {

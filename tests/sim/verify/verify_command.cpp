@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -29,6 +31,25 @@ void printText(const std::string& path, const Verification& found, double timesR
               found.slots, static_cast<unsigned long long>(found.hash), textOf(found.run).c_str(), timesRealTime);
 }
 
+void showLine(const std::string& line) { std::fprintf(stderr, "\r%-60s\r%s", "", line.c_str()); }
+
+// On a terminal; elsewhere nobody sees it.
+VerifyProgress progressOnTerminal() {
+  const bool isSeen = isatty(STDERR_FILENO) != 0;
+  return {isSeen ? showLine : VerifyProgress::Show(), std::chrono::steady_clock::now()};
+}
+
+Verification replay(Verifier& verifier, RecordingFile& recording) {
+  VerifyProgress progress = progressOnTerminal();
+  return verifier.run([&](auto inputs, const Game& game) {
+    recording.tick(inputs, game);
+    progress.tell(std::chrono::steady_clock::now(), [&] {
+      return "replayed " + std::to_string(static_cast<int>(verifier.part() * 100)) + " %, to tick " +
+             std::to_string(game.tick());
+    });
+  });
+}
+
 // One recording: says all about it.
 int verifyFile(const std::string& path, const Options& options) {
   const auto from = static_cast<std::uint32_t>(options.number("from", 0, 0, ~std::uint32_t{0}));
@@ -37,7 +58,7 @@ int verifyFile(const std::string& path, const Options& options) {
   Verifier verifier(bytes, from);
   RecordingFile recording(options);
   if (verifier.game() != nullptr) recording.start(*verifier.game(), OutputFile::Mode::kCreateNew);
-  const Verification found = verifier.run([&](auto inputs, const Game& game) { recording.tick(inputs, game); });
+  const Verification found = replay(verifier, recording);
   if (verifier.game() != nullptr) recording.finish(*verifier.game());
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   const double timesRealTime = found.ticks / (kTicksPerSecond * spent.count());
@@ -61,14 +82,28 @@ void printSummary(const VerifySummary& summary, const char* layout) {
               summary.timesRealTime());
 }
 
+VerifySummary verifyWithProgress(const std::vector<std::string>& recordings, unsigned jobs) {
+  VerifyProgress progress = progressOnTerminal();
+  const auto counted = [&](std::size_t done) {
+    progress.tell(std::chrono::steady_clock::now(), [&] {
+      return "replayed " + std::to_string(done) + " of " + std::to_string(recordings.size()) + " recordings";
+    });
+  };
+  const auto tellFault = [&](const std::string& fault) {
+    progress.hide();
+    std::fputs(fault.c_str(), stderr);
+  };
+  return verifyMany(recordings, jobs, tellFault, counted);
+}
+
 // Recordings and folders of them: says how many agree, and what is wrong with the others.
 int verifyAll(const Options& options) {
   for (const char* const ofOne : {"from", "record", "checkpoint-every"}) {
     if (options.has(ofOne)) throw UsageError(std::string("--") + ofOne + " works only with one recording");
   }
   const auto jobs = static_cast<unsigned>(options.number("jobs", 1, 1, kMaxJobs));
-  const VerifySummary summary = verifyMany(recordingsAmong(options.positionals()), jobs,
-                                           [](const std::string& fault) { std::fputs(fault.c_str(), stderr); });
+  const std::vector<std::string> recordings = recordingsAmong(options.positionals());
+  const VerifySummary summary = verifyWithProgress(recordings, jobs);
   printSummary(summary, options.has("json") ? kSummaryJson : kSummaryText);
   return summary.exitCode();
 }

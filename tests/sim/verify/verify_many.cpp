@@ -70,8 +70,9 @@ std::optional<Result> verifyOne(const std::string& path) {
 // Hands out the recordings to threads, and counts and reports the results in their order.
 class Verifying {
  public:
-  Verifying(const std::vector<std::string>& recordings, const std::function<void(const std::string&)>& fault)
-      : recordings_(recordings), fault_(fault), results_(recordings.size()) {}
+  Verifying(const std::vector<std::string>& recordings, const std::function<void(const std::string&)>& fault,
+            const std::function<void(std::size_t)>& counted)
+      : recordings_(recordings), fault_(fault), countedCall_(counted), results_(recordings.size()) {}
 
   void work() {
     for (std::optional<std::size_t> mine = take(); mine; mine = take()) done(*mine, verifyOne(recordings_[*mine]));
@@ -93,6 +94,7 @@ class Verifying {
     const std::lock_guard guard(mutex_);
     results_[index] = {true, std::move(result)};
     for (; counted_ < results_.size() && results_[counted_].done; ++counted_) count(results_[counted_].result);
+    countedCall_(++done_);
   }
 
   void count(std::optional<Result>& result) {
@@ -111,8 +113,10 @@ class Verifying {
 
   const std::vector<std::string>& recordings_;
   const std::function<void(const std::string&)>& fault_;
+  const std::function<void(std::size_t)>& countedCall_;
   std::mutex mutex_;
-  std::size_t next_ = 0;     // to be handed out
+  std::size_t next_ = 0;  // to be handed out
+  std::size_t done_ = 0;
   std::size_t counted_ = 0;  // results before this one are in the summary
   std::vector<Slot> results_;
   VerifySummary summary_;
@@ -141,9 +145,10 @@ std::vector<std::string> recordingsAmong(const std::vector<std::string>& paths) 
 }
 
 VerifySummary verifyMany(const std::vector<std::string>& recordings, unsigned jobs,
-                         const std::function<void(const std::string&)>& fault) {
+                         const std::function<void(const std::string&)>& fault,
+                         const std::function<void(std::size_t)>& counted) {
   const auto begin = std::chrono::steady_clock::now();
-  Verifying verifying(recordings, fault);
+  Verifying verifying(recordings, fault, counted);
   {
     std::vector<std::jthread> threads;
     for (unsigned thread = 1; thread < jobs; ++thread) threads.emplace_back([&] { verifying.work(); });

@@ -41,8 +41,10 @@ bool isFolder(const std::string& path);
 std::vector<std::string> recordingsAmong(const std::vector<std::string>& paths);
 
 /// Replays the recordings with `jobs` threads, 1 … kMaxJobs. Gives `fault` the sentences on each that is not right, in
-/// the order of the recordings and as early as this order allows, from one thread at a time.
+/// the order of the recordings and as early as this order allows, and `counted` how many of the recordings are done;
+/// both from one thread at a time.
 VerifySummary verifyMany(const std::vector<std::string>& recordings, unsigned jobs,
-                         const std::function<void(const std::string&)>& fault);
+                         const std::function<void(const std::string&)>& fault,
+                         const std::function<void(std::size_t)>& counted);
 
 }  // namespace platon::sim

@@ -31,13 +31,17 @@ class VerifyManyTest : public testing::Test {
 
   VerifySummary verify(unsigned jobs) {
     faults_.clear();
-    return verifyMany(recordingsAmong({folder_}), jobs, [this](const std::string& fault) { faults_.push_back(fault); });
+    counted_.clear();
+    return verifyMany(
+        recordingsAmong({folder_}), jobs, [this](const std::string& fault) { faults_.push_back(fault); },
+        [this](std::size_t count) { counted_.push_back(count); });
   }
 
   TemporaryFolder temporary_;
   std::string folder_ = temporary_ / "recordings";
   std::string good_;
   std::vector<std::string> faults_;
+  std::vector<std::size_t> counted_;
 };
 
 TEST_F(VerifyManyTest, FindsRecordingsByTheirNamesInOrder) {
@@ -74,6 +78,8 @@ TEST_F(VerifyManyTest, CountsTheSameWithAnyNumberOfJobs) {
     EXPECT_EQ(summary.jobs, jobs);
     EXPECT_EQ(summary.exitCode(), 1);
     EXPECT_GT(summary.timesRealTime(), 0);
+    ASSERT_EQ(counted_.size(), 22u);
+    for (std::size_t i = 0; i < counted_.size(); ++i) EXPECT_EQ(counted_[i], i + 1);
     ASSERT_THAT(faults_, ElementsAre(HasSubstr(cut + ": byte "), HasSubstr(other + ": desync at tick 20")));
   }
 }
@@ -96,7 +102,10 @@ TEST_F(VerifyManyTest, LeavesOutWhatWasRemovedMeanwhile) {
   const std::string path = add("a.recording", good_);
   const std::vector<std::string> recordings = recordingsAmong({folder_});
   std::filesystem::remove(path);
-  EXPECT_EQ(verifyMany(recordings, 1, [](const std::string&) { FAIL(); }).skipped, 1u);
+  EXPECT_EQ(verifyMany(
+                recordings, 1, [](const std::string&) { FAIL(); }, [](std::size_t) {})
+                .skipped,
+            1u);
 }
 
 TEST_F(VerifyManyTest, TheProgramPrintsASummary) {

@@ -1,5 +1,7 @@
 #include "tests/sim/verify/verify_report.h"
 
+#include <utility>
+
 #include "levels/tool/json_text.h"
 #include "tests/sim/hex_digits.h"
 
@@ -52,6 +54,17 @@ VerifyReport reportOf(const std::string& path, const Verification& found) {
   if (agreed) report.text += "; the " + std::to_string(found.ticks) + " ticks before agree";
   report.text += "\n";
   return report;
+}
+
+void VerifyProgress::tell(Time now, const std::function<std::string()>& line) {
+  if (!show_ || now < due_) return;
+  due_ = now + std::chrono::seconds(1);
+  shown_ = true;
+  show_(line());
+}
+
+void VerifyProgress::hide() {
+  if (std::exchange(shown_, false)) show_("");
 }
 
 }  // namespace platon::sim

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <string>
+#include <vector>
+
 namespace platon::sim::verify_report_test {
 namespace {
 
@@ -37,6 +41,29 @@ TEST(VerifyReportTest, ADivergenceComesBeforeAFault) {
       "the next checkpoint, so that no field is known\na: byte 9: cut off\n");
   EXPECT_EQ(report.exitCode, 1);
   EXPECT_EQ(jsonOf(*both.divergence), R"({"tick":20,"hash":"0000000000000123","recordedHash":"0000000000004567"})");
+}
+
+TEST(VerifyProgressTest, TellsAfterTwoSecondsThenOnceASecondAndTakesItsLineAway) {
+  using std::chrono::milliseconds;
+  const VerifyProgress::Time begin{};
+  std::vector<std::string> shown;
+  int asked = 0;
+  {
+    VerifyProgress progress([&](const std::string& line) { shown.push_back(line); }, begin);
+    for (int time = 0; time < 4100; time += 10) {
+      progress.tell(begin + milliseconds(time), [&] {
+        ++asked;
+        return std::to_string(time);
+      });
+    }
+  }
+  EXPECT_EQ(shown, (std::vector<std::string>{"2000", "3000", "4000", ""}));
+  EXPECT_EQ(asked, 3);
+  shown.clear();
+  {
+    VerifyProgress([&](const std::string& line) { shown.push_back(line); }, begin).tell(begin, [] { return ""; });
+  }
+  EXPECT_TRUE(shown.empty());
 }
 
 }  // namespace

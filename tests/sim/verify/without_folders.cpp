@@ -11,7 +11,8 @@ std::vector<std::string> recordingsAmong(const std::vector<std::string>&) {
   throw UsageError("this build of platon-sim verifies one recording at a time: platon-sim verify FILE");
 }
 
-VerifySummary verifyMany(const std::vector<std::string>&, unsigned, const std::function<void(const std::string&)>&) {
+VerifySummary verifyMany(const std::vector<std::string>&, unsigned, const std::function<void(const std::string&)>&,
+                         const std::function<void(std::size_t)>&) {
   return {};
 }
 
