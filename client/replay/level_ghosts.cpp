@@ -11,24 +11,10 @@
 namespace platon {
 namespace {
 
-void readBest(const GhostSources& sources, const Level& level, LevelGhosts& ghosts, const std::stop_token& stop) {
-  if (const std::optional<StoredRun> stored = sources.own.best(level)) ghosts.bestFile = stored->file;
-  if (sources.unsaved) {
-    if (auto track = trackIn(sources.unsaved->recording, stop)) ghosts.best = bestGhostOf(std::move(*track));
-    return;
-  }
-  if (ghosts.bestFile.empty()) return;
-  auto track = readTrack(ghosts.bestFile, &level, stop);
-  if (auto* run = std::get_if<RunTrack>(&track)) {
-    ghosts.best = bestGhostOf(std::move(*run));
-  } else {
-    ghosts.faults.push_back(std::get<std::string>(std::move(track)));
-  }
-}
-
 // It may be among the others, or the best run.
-void addRival(const std::filesystem::path& file, const Level& level, LevelGhosts& ghosts, const std::stop_token& stop) {
-  if (file.empty() || file == ghosts.bestFile) return;
+void addRival(const OtherRunsSource& source, const Level& level, LevelGhosts& ghosts, const std::stop_token& stop) {
+  const std::filesystem::path& file = source.rival;
+  if (file.empty() || file == source.bestFile) return;
   const std::optional<RecordingHead> head = readRecordingHeadOf(file, stop);
   if (!head || !head->level || !isSameLevel(*head->level, level)) return;
   auto track = readTrack(file, &level, stop);
@@ -45,12 +31,28 @@ Ghost bestGhostOf(RunTrack track) {
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 
-LevelGhosts readLevelGhosts(const GhostSources& sources, const Level& level, std::size_t maxOthers,
+LevelGhosts readBestGhost(const BestRunSource& source, const Level& level, const std::stop_token& stop) {
+  LevelGhosts ghosts;
+  if (const std::optional<StoredRun> stored = source.own.best(level)) ghosts.bestFile = stored->file;
+  if (source.unsaved) {
+    if (auto track = trackIn(source.unsaved->recording, stop)) ghosts.best = bestGhostOf(std::move(*track));
+    return ghosts;
+  }
+  if (ghosts.bestFile.empty()) return ghosts;
+  auto track = readTrack(ghosts.bestFile, &level, stop);
+  if (auto* run = std::get_if<RunTrack>(&track)) {
+    ghosts.best = bestGhostOf(std::move(*run));
+  } else {
+    ghosts.faults.push_back(std::get<std::string>(std::move(track)));
+  }
+  return ghosts;
+}
+
+LevelGhosts readOtherGhosts(const OtherRunsSource& source, const Level& level, std::size_t maxOthers,
                             const std::stop_token& stop) {
   LevelGhosts ghosts;
-  readBest(sources, level, ghosts, stop);
-  ghosts.others = ghostsIn(sources.folder, level, maxOthers, ghosts.faults, stop);
-  addRival(sources.rival, level, ghosts, stop);
+  ghosts.others = ghostsIn(source.folder, level, maxOthers, ghosts.faults, stop);
+  addRival(source, level, ghosts, stop);
   return ghosts;
 }
 

@@ -21,20 +21,27 @@ struct LevelGhosts {
   std::vector<std::string> faults{};  ///< a sentence for each recording on the level that cannot be a ghost
 };
 
-/// Where they are. Empty paths: there are none.
-struct GhostSources {
+/// Where the best run is.
+struct BestRunSource {
   RunStore own;
   std::shared_ptr<const Run> unsaved;  ///< the best run, while its file is not written; null: the store has it
-  std::filesystem::path folder;        ///< with runs of others
-  std::filesystem::path rival;         ///< a recording that is a ghost on its level besides those
+};
+
+/// Where the runs of others are. Empty paths: there are none.
+struct OtherRunsSource {
+  std::filesystem::path folder;
+  std::filesystem::path rival;     ///< a recording that is a ghost on its level besides those
+  std::filesystem::path bestFile;  ///< of the best run, which is no rival
 };
 
 /// The ghost of a best run.
 Ghost bestGhostOf(RunTrack track);
 
-/// Reads the ghosts of a level and plays each once, at most `maxOthers` from the folder. Ends early when it is asked to
-/// stop; then the result is not to be used.
-LevelGhosts readLevelGhosts(const GhostSources& sources, const Level& level, std::size_t maxOthers,
+/// Reads the best run on a level and plays it once. Ends early when it is asked to stop; then the result is not to be
+/// used.
+LevelGhosts readBestGhost(const BestRunSource& source, const Level& level, const std::stop_token& stop = {});
+/// As readBestGhost, for the runs of others: at most `maxOthers` from the folder. These files may be many and long.
+LevelGhosts readOtherGhosts(const OtherRunsSource& source, const Level& level, std::size_t maxOthers,
                             const std::stop_token& stop = {});
 
 }  // namespace platon

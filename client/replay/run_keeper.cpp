@@ -24,35 +24,45 @@ void RunKeeper::countRuns(bool count) {
 void RunKeeper::load(std::shared_ptr<const Level> level) {
   level_ = std::move(level);
   tracking_ = {};
+  loadingOthers_ = {};
   best_.reset();
   others_.clear();
-  const GhostSources sources{saver_.store(), saver_.unsavedOn(*level_), ghostFolder_, rivalFile_};
-  const std::optional<StoredRun> stored = sources.own.bestByName(*level_);
+  const BestRunSource source{saver_.store(), saver_.unsavedOn(*level_)};
+  const std::optional<StoredRun> stored = source.own.bestByName(*level_);
   bestFile_ = stored ? stored->file : std::filesystem::path();
   bestTicks_ = stored ? std::optional(stored->ticks) : std::nullopt;
-  unsavedFile_ = sources.unsaved ? sources.own.fileOf(*sources.unsaved) : std::filesystem::path();
-  if (sources.unsaved) bestTicks_ = sources.unsaved->ticks;
+  unsavedFile_ = source.unsaved ? source.own.fileOf(*source.unsaved) : std::filesystem::path();
+  if (source.unsaved) bestTicks_ = source.unsaved->ticks;
   isFileNew_ = false;
-  loading_ =
-      Job<LevelGhosts>([sources, played = level_](
-                           const std::stop_token& stop) { return readLevelGhosts(sources, *played, kMaxOthers, stop); },
-                       start_);
+  loading_ = Job<LevelGhosts>(
+      [source, played = level_](const std::stop_token& stop) { return readBestGhost(source, *played, stop); }, start_);
 }
 
 // An attempt that has begun meanwhile is compared with the best run from now on. The thread may have found the file
 // that a run written meanwhile has replaced.
-void RunKeeper::takeGhosts(JobResult<LevelGhosts> read) {
+void RunKeeper::takeBest(JobResult<LevelGhosts> read) {
+  const OtherRunsSource others{ghostFolder_, rivalFile_, read.value ? read.value->bestFile : std::filesystem::path()};
+  loadingOthers_ =
+      Job<LevelGhosts>([others, played = level_](
+                           const std::stop_token& stop) { return readOtherGhosts(others, *played, kMaxOthers, stop); },
+                       start_);
   if (!read.value) return faults_.push_back("the best run is no ghost: " + read.fault);
   best_ = std::move(read.value->best);
   bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
   if (!best_ || !isFileNew_) bestFile_ = best_ ? std::move(read.value->bestFile) : std::filesystem::path();
-  others_ = std::move(read.value->others);
   for (std::string& fault : read.value->faults) faults_.push_back(std::move(fault));
   if (!compared_) compared_ = best_;
 }
 
+void RunKeeper::takeOthers(JobResult<LevelGhosts> read) {
+  if (!read.value) return faults_.push_back("the runs of others are no ghosts: " + read.fault);
+  others_ = std::move(read.value->others);
+  for (std::string& fault : read.value->faults) faults_.push_back(std::move(fault));
+}
+
 void RunKeeper::pollGhosts() {
-  if (auto read = loading_.poll()) takeGhosts(std::move(*read));
+  if (auto read = loading_.poll()) takeBest(std::move(*read));
+  if (auto read = loadingOthers_.poll()) takeOthers(std::move(*read));
 }
 
 void RunKeeper::pollTrack() {
@@ -110,7 +120,7 @@ void RunKeeper::show(std::uint32_t tick, std::int64_t difference) {
 
 // The difference at the goal is shown until the next attempt.
 void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
-  if (loading_.isPending()) takeGhosts(loading_.wait());
+  if (loading_.isPending()) takeBest(loading_.wait());
   if (compared_) {
     show(tick_, std::int64_t{ticks} - compared_->track->ticks);
     differenceUntil_ = UINT32_MAX;

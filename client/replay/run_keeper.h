@@ -61,7 +61,8 @@ class RunKeeper : public ConfirmedObserver {
 
  private:
   void load(std::shared_ptr<const Level> level);
-  void takeGhosts(JobResult<LevelGhosts> read);
+  void takeBest(JobResult<LevelGhosts> read);
+  void takeOthers(JobResult<LevelGhosts> read);
   void beginAttempt();
   void pollGhosts();
   void pollTrack();
@@ -82,7 +83,8 @@ class RunKeeper : public ConfirmedObserver {
   std::filesystem::path bestFile_;
   std::filesystem::path unsavedFile_;      // of a new best run, while it is being written; empty: none
   bool isFileNew_ = false;                 // bestFile_ was written since the level has begun
-  Job<LevelGhosts> loading_;               // for all of these, when a level has begun
+  Job<LevelGhosts> loading_;               // for these, when a level has begun
+  Job<LevelGhosts> loadingOthers_;         // for others_, after loading_: nobody waits for them
   Job<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
   std::vector<Ghost> others_;
   std::vector<std::string> faults_;

@@ -92,6 +92,12 @@ RECORDING_FAULTS = [
               "  if (!std::holds_alternative<RunFinish>(run.finish(before, group))) return std::nullopt;\n", "",
               "a server puts a player beside the goal and gives it a best run",
               "RunCutter.WhoIsFoundElsewhereThanAtTheStartHasNoRunBeforeARestart"),
+    at_length("goal-waits-for-others", REPLAY + "run_keeper.cpp",
+              "  if (loading_.isPending()) takeBest(loading_.wait());\n",
+              "  if (loading_.isPending()) takeBest(loading_.wait());\n"
+              "  if (loadingOthers_.isPending()) takeOthers(loadingOthers_.wait());\n",
+              "the game stands still at the goal while the ghosts of others are played",
+              "HeldRunKeeperTest.AGoalDoesNotWaitForTheGhostsOfOthers"),
     at_length("name-of-a-file-counts", REPLAY + "run_list.cpp",
               " || runs_[i].time.empty()) continue;", ") continue;",
               "a file with a small number in its name is the best run",

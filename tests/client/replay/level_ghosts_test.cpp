@@ -30,25 +30,35 @@ class LevelGhostsTest : public testing::Test {
 
   const TemporaryFolder folder_;
   FollowedGame followed_{cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190")};
-  GhostSources sources_{RunStore(folder_ / "runs"), nullptr, folder_ / "ghosts", {}};
+  // As a match reads them: first the best run, then two of others.
+  LevelGhosts readGhosts(const std::stop_token& stop = {}) const {
+    LevelGhosts ghosts = readBestGhost(best_, level(), stop);
+    LevelGhosts others = readOtherGhosts({folder_ / "ghosts", rival_, ghosts.bestFile}, level(), 2, stop);
+    ghosts.others = std::move(others.others);
+    for (std::string& fault : others.faults) ghosts.faults.push_back(std::move(fault));
+    return ghosts;
+  }
+
+  BestRunSource best_{RunStore(folder_ / "runs"), nullptr};
+  std::filesystem::path rival_;
 };
 
 TEST_F(LevelGhostsTest, TheBestRunAndOthersAreRead) {
-  sources_.own.keep(run());
+  best_.own.keep(run());
   for (const char* const name : {"anna", "bob", "carla"}) copyTo(name);
-  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  const LevelGhosts ghosts = readGhosts();
   ASSERT_TRUE(ghosts.best);
   EXPECT_EQ(ghosts.best->name, bestName());
   EXPECT_EQ(ghosts.best->track->ticks, run().ticks);
-  EXPECT_EQ(ghosts.bestFile, sources_.own.fileOf(run()));
+  EXPECT_EQ(ghosts.bestFile, best_.own.fileOf(run()));
   ASSERT_EQ(ghosts.others.size(), 2U);
   EXPECT_EQ(ghosts.others[1].name, "bob");
   EXPECT_TRUE(ghosts.faults.empty());
 }
 
 TEST_F(LevelGhostsTest, ARunThatIsNotWrittenYetIsTheBest) {
-  sources_.unsaved = std::make_shared<const platon::Run>(run());
-  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  best_.unsaved = std::make_shared<const platon::Run>(run());
+  const LevelGhosts ghosts = readGhosts();
   ASSERT_TRUE(ghosts.best);
   EXPECT_EQ(ghosts.best->name, bestName());
   EXPECT_EQ(ghosts.bestFile, std::filesystem::path());
@@ -56,28 +66,28 @@ TEST_F(LevelGhostsTest, ARunThatIsNotWrittenYetIsTheBest) {
 
 TEST_F(LevelGhostsTest, TheRivalComesFirstAndOnce) {
   copyTo("anna");
-  sources_.rival = copyTo("bob");
-  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  rival_ = copyTo("bob");
+  const LevelGhosts ghosts = readGhosts();
   ASSERT_EQ(ghosts.others.size(), 2U);
   EXPECT_EQ(ghosts.others[0].name, "bob");
   EXPECT_EQ(ghosts.others[1].name, "anna");
 }
 
 TEST_F(LevelGhostsTest, ADamagedBestRunIsNamedOnceAlsoAsTheRival) {
-  sources_.own.keep(run());
-  sources_.rival = sources_.own.fileOf(run());
-  writeText(sources_.rival, "damaged");
-  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  best_.own.keep(run());
+  rival_ = best_.own.fileOf(run());
+  writeText(rival_, "damaged");
+  const LevelGhosts ghosts = readGhosts();
   EXPECT_FALSE(ghosts.best);
   ASSERT_EQ(ghosts.faults.size(), 1U);
-  EXPECT_EQ(ghosts.faults[0].find(sources_.rival.string()), 0U);
+  EXPECT_EQ(ghosts.faults[0].find(rival_.string()), 0U);
 }
 
 TEST_F(LevelGhostsTest, AStopReadsNothingMore) {
   copyTo("anna");
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(readLevelGhosts(sources_, level(), 2, stop.get_token()).others.empty());
+  EXPECT_TRUE(readGhosts(stop.get_token()).others.empty());
 }
 
 }  // namespace

@@ -145,11 +145,9 @@ TEST_F(RunKeeperTest, TheGhostOfAnAttemptStaysThatOfItsBeginning) {
 TEST_F(RunKeeperTest, OthersAreGhostsToo) {
   begin();
   attempt(40, 0);
-  const auto bytes = readBytes(keeper_.store().best(game_.level())->file);
+  const auto best = keeper_.store().best(game_.level())->file;
   std::filesystem::create_directories(folder_ / "ghosts");
-  for (const char* const name : {"a", "b", "c", "d"}) {
-    writeText(folder_ / "ghosts" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  }
+  for (const char* const name : {"a", "b", "c", "d"}) std::filesystem::copy_file(best, folder_ / "ghosts" / name);
   RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts", {}, noThread);
   Game game(edgeLevel());
   next.began(game, 0);
@@ -320,6 +318,20 @@ TEST_F(HeldRunKeeperTest, AGoalIsComparedWithTheBestRunThatIsStillBeingRead) {
   EXPECT_TRUE(keeper_.status().isNewBest);
 }
 
+TEST_F(HeldRunKeeperTest, AGoalDoesNotWaitForTheGhostsOfOthers) {
+  const std::uint32_t slow = keepSlowRun();
+  std::filesystem::copy(folder_ / "runs", folder_ / "ghosts");
+  threads_.hold();
+  RunKeeper keeper(RunStore(folder_ / "runs"), folder_ / "ghosts", {}, [this, begun = 0](auto work) mutable {
+    return ++begun == 1 ? startThread(std::move(work)) : threads_.start()(std::move(work));
+  });
+  keeper.began(game_, 0);
+  const std::uint32_t fast = finish(keeper, game_, 0);
+  EXPECT_EQ(keeper.status().difference, seconds(std::int64_t{fast} - slow));
+  EXPECT_EQ(keeper.ghostsAt(game_, 0, 1).size(), 1U) << "that of another is not read yet";
+  threads_.letGo();
+}
+
 TEST_F(HeldRunKeeperTest, ARestartAtTheGoalDoesNotWaitForTheNewBestRun) {
   const std::uint32_t slow = keepSlowRun();
   begin();
@@ -357,10 +369,7 @@ TEST_F(HeldRunKeeperTest, TheFileThatIsWrittenWhileTheLevelIsReadRemainsTheBest)
   bool waits = false;
   std::vector<std::function<void(const std::stop_token&)>> works;
   RunKeeper keeper(RunStore(folder_ / "runs"), {}, {}, [&](std::function<void(const std::stop_token&)> work) {
-    if (waits)
-      works.push_back(std::move(work));
-    else
-      work({});
+    waits ? works.push_back(std::move(work)) : work({});
     return std::jthread();
   });
   Game game(edgeLevel());
