@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kIpv4Offset = 12;  // of an IPv4 address within its IPv6 form
 constexpr std::array<std::uint8_t, kIpv4Offset> kIpv4Prefix = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
+constexpr std::array<std::uint8_t, kIpv4Offset> kTranslatedPrefix = {0, 0x64, 0xff, 0x9b};
 constexpr std::size_t kHouseholdBytes = 8;
 
 }  // namespace
@@ -37,6 +38,10 @@ std::array<std::uint8_t, 4> IpAddress::ipv4() const {
 
 bool IpAddress::isIpv4() const { return std::equal(kIpv4Prefix.begin(), kIpv4Prefix.end(), bytes.begin()); }
 
+bool IpAddress::holdsIpv4() const {
+  return isIpv4() || std::equal(kTranslatedPrefix.begin(), kTranslatedPrefix.end(), bytes.begin());
+}
+
 bool IpAddress::isLoopback() const {
   IpAddress ipv6;
   ipv6.bytes.back() = 1;
@@ -48,13 +53,14 @@ bool IpAddress::isThisMachine() const { return isLoopback() || (isIpv4() && ipv4
 // The prefix of an IPv4 address is 0:ffff, which no network has as the first half of its IPv6 addresses.
 std::uint64_t IpAddress::household() const {
   if (isLoopback()) return 0;
-  std::uint64_t number = 0;
-  const std::size_t first = isIpv4() ? bytes.size() - kHouseholdBytes : 0;
-  for (std::size_t i = first; i < first + kHouseholdBytes; ++i) number = number << 8 | bytes[i];
+  std::uint64_t number = holdsIpv4() ? 0xffff : 0;
+  const std::size_t first = holdsIpv4() ? kIpv4Offset : 0;
+  const std::size_t end = holdsIpv4() ? bytes.size() : kHouseholdBytes;
+  for (std::size_t i = first; i < end; ++i) number = number << 8 | bytes[i];
   return number;
 }
 
-std::uint64_t IpAddress::site() const { return isIpv4() ? household() : household() & ~std::uint64_t{0xffff}; }
+std::uint64_t IpAddress::site() const { return holdsIpv4() ? household() : household() & ~std::uint64_t{0xffff}; }
 
 std::string IpAddress::text() const {
   std::array<char, INET6_ADDRSTRLEN> buffer{};

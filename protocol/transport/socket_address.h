@@ -19,17 +19,20 @@ struct IpAddress {
   static IpAddress ofIpv4(const std::array<std::uint8_t, 4>& bytes);
 
   bool isIpv4() const;
+  /// Whether it stands for an IPv4 address: it is one, or holds one in its last four bytes as an address of
+  /// 64:ff9b::/96, to which a translator between IPv4 and IPv6 maps those of IPv4 (RFC 6052).
+  bool holdsIpv4() const;
   /// The four bytes of an IPv4 address.
   std::array<std::uint8_t, 4> ipv4() const;
   /// Exactly 127.0.0.1 or ::1. Other addresses of 127.0.0.0/8 do not count.
   bool isLoopback() const;
   /// 127.0.0.0/8 or ::1: only this machine can have the address. It may have others that are not recognised.
   bool isThisMachine() const;
-  /// Number of the part that one household or host controls: all of an IPv4 address, the first 64 bits of an IPv6
-  /// address. 0 for loopback.
+  /// Number of the part that one household or host controls: all of an IPv4 address, also of one that an IPv6 address
+  /// holds; the first 64 bits of another IPv6 address. 0 for loopback.
   std::uint64_t household() const;
-  /// The network of one owner: the first 48 bits of an IPv6 address, with 256 to 65 536 households; an
-  /// IPv4 address is one by itself. 0 for loopback.
+  /// The network of one owner: the first 48 bits of an IPv6 address, with 256 to 65 536 households; an IPv4 address,
+  /// also one that an IPv6 address holds, is one by itself. 0 for loopback.
   std::uint64_t site() const;
   /// "192.0.2.1" or "2001:db8::1"
   std::string text() const;

@@ -29,7 +29,7 @@ IpAddress masked(IpAddress address, unsigned bits) {
 AddressRange AddressRange::around(const IpAddress& address, unsigned bits) { return {masked(address, bits), bits}; }
 
 AddressRange AddressRange::householdOf(const IpAddress& address) {
-  return around(address, address.isIpv4() ? kBits : kHouseholdBits);
+  return around(address, address.holdsIpv4() ? kBits : kHouseholdBits);
 }
 
 std::variant<AddressRange, ParseError> AddressRange::parse(std::string_view text) {

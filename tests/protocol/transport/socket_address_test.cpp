@@ -57,6 +57,20 @@ TEST(IpAddress, ASiteIsAnIpv4AddressOr48BitsOfIpv6) {
   EXPECT_NE(ip("2001:db8:1::1").site(), ip("2001:db8:2::1").site());
 }
 
+// All IPv4 players of a server behind a translator were one household.
+TEST(IpAddress, AnAddressThatATranslatorMakesOfAnIpv4AddressCountsAsThisOne) {
+  EXPECT_TRUE(ip("64:ff9b::192.0.2.1").holdsIpv4());
+  EXPECT_FALSE(ip("64:ff9b::192.0.2.1").isIpv4());
+  EXPECT_EQ(ip("64:ff9b::192.0.2.1").household(), ip("192.0.2.1").household());
+  EXPECT_EQ(ip("64:ff9b::192.0.2.1").site(), ip("192.0.2.1").site());
+  EXPECT_EQ(ip("64:ff9b::127.0.0.1").household(), 0x0000'ffff'7f00'0001u) << "not of this machine: it has limits";
+  EXPECT_EQ(ip("64:ff9b::127.0.0.1").site(), 0x0000'ffff'7f00'0001u);
+  for (const char* other : {"64:ff9b:0:0:0:1::1", "64:ff9b:1::192.0.2.1", "64:ff9c::192.0.2.1", "::192.0.2.1"}) {
+    EXPECT_FALSE(ip(other).holdsIpv4()) << other;
+    EXPECT_NE(ip(other).household(), ip("192.0.2.1").household()) << other;
+  }
+}
+
 TEST(SocketAddress, ItsTextHasBracketsAroundIpv6) {
   EXPECT_EQ((SocketAddress{ip("192.0.2.1"), 7777}.text()), "192.0.2.1:7777");
   EXPECT_EQ((SocketAddress{ip("2001:db8::1"), 7777}.text()), "[2001:db8::1]:7777");

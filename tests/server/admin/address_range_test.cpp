@@ -47,6 +47,10 @@ TEST(AddressRange, TheHouseholdOfAnIpv6AddressIsItsFirst64Bits) {
   EXPECT_EQ(AddressRange::householdOf(ip("2001:db8:1:2:3:4:5:6")), range("2001:db8:1:2::/64"));
 }
 
+TEST(AddressRange, TheHouseholdOfATranslatedAddressIsThisOne) {
+  EXPECT_EQ(AddressRange::householdOf(ip("64:ff9b::192.0.2.7")), range("64:ff9b::c000:207"));
+}
+
 TEST(AddressRange, ParsingReversesTheText) {
   for (const char* text : {"192.0.2.7", "192.0.2.0/24", "0.0.0.0/0", "10.0.0.0/8", "2001:db8::1", "2001:db8::/32",
                            "::/0", "fe80::/10", "255.255.255.254/31"}) {
