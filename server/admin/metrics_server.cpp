@@ -1,5 +1,6 @@
 #include "server/admin/metrics_server.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -56,11 +57,19 @@ void MetricsServer::poll(TimePoint now, const std::function<std::string()>& text
 }
 
 void MetricsServer::accept(TimePoint now) {
-  for (int i = 0; i < kMaxAcceptsPerPoll && connections_.size() < kMaxConnections; ++i) {
+  for (int i = 0; i < kMaxAcceptsPerPoll; ++i) {
     Descriptor socket = acceptFrom(listener_);
     if (!socket) return;
+    if (connections_.size() == kMaxConnections) makeRoom();
     connections_.push_back({std::move(socket), now + kConnectionTime, {}, {}});
   }
+}
+
+// A scrape would otherwise wait for those who connect and say nothing.
+void MetricsServer::makeRoom() {
+  const auto idle =
+      std::find_if(connections_.begin(), connections_.end(), [](const Connection& each) { return !each.answered; });
+  connections_.erase(idle == connections_.end() ? connections_.begin() : idle);
 }
 
 void MetricsServer::serve(Connection& connection, TimePoint now, const std::function<std::string()>& text) {

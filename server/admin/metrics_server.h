@@ -18,7 +18,7 @@ std::optional<SocketAddress> parseSocketAddress(std::string_view text);
 /// Answers `GET /metrics` over HTTP. Never waits.
 class MetricsServer {
  public:
-  /// Most connections at a time; others wait until one ends.
+  /// Most connections at a time. For another one, the oldest of those that have not asked yet ends, or else the oldest.
   static constexpr std::size_t kMaxConnections = 16;
   /// Time in which a connection must send its request and read the answer.
   static constexpr std::chrono::seconds kConnectionTime{5};
@@ -44,6 +44,7 @@ class MetricsServer {
   };
 
   void accept(TimePoint now);
+  void makeRoom();
   static void serve(Connection& connection, TimePoint now, const std::function<std::string()>& text);
   static bool exchange(Connection& connection, const std::function<std::string()>& text);
 

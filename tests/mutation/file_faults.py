@@ -1,4 +1,4 @@
-"""Faults in how the files of users and operators are opened."""
+"""Faults in how the files of users and operators are opened and read."""
 
 from fault import Fault, at_length
 
@@ -28,4 +28,12 @@ FILE_FAULTS = [
               "(status.st_mode & kOthers) == 0", "(status.st_mode & kOthers) != 0",
               "a file that others may read stays so",
               "PrivateFileTest.AnOlderFileIsTakenFromOthersAndKeepsItsContent"),
+    at_length("key-of-many-parts", "server/app/config_file.cpp",
+              "if (parts_ > kMaxParts)", "if (parts_ > kMaxParts + 1)",
+              "a key may have one part more than is said",
+              "ConfigFileTest.AKeyOfTooManyPartsIsRefused"),
+    at_length("parts-hidden-behind-quotes", "server/app/config_file.cpp",
+              "more < 2 && at_ < text_.size()", "more < 1 && at_ < text_.size()",
+              "a string that ends with quotes hides the parts of the keys behind it",
+              "ConfigFileTest.PartsAreCountedBehindEveryKindOfString"),
 ]  # fmt: skip

@@ -129,18 +129,43 @@ TEST_F(MetricsServerTest, DropsAConnectionThatTakesTooLong) {
   EXPECT_EQ(server_.connections(), 0u);
 }
 
-TEST_F(MetricsServerTest, HasABoundedNumberOfConnections) {
+TEST_F(MetricsServerTest, TheOldestConnectionThatHasNotAskedEndsForAnother) {
+  page_ = std::string(32 * 1024 * 1024, 'x');
   std::vector<Descriptor> sockets;
-  for (std::size_t i = 0; i < MetricsServer::kMaxConnections + 4; ++i) {
+  sockets.push_back(connectTcp(server_.address()));
+  std::string request = "GET /metrics HTTP/1.1\r\n\r\n";
+  EXPECT_TRUE(sendTo(sockets[0], request));
+  EXPECT_TRUE(stepUntil([this] { poll(); }, [this] { return pages_ == 1; }));
+  while (sockets.size() < MetricsServer::kMaxConnections + 3) {
     sockets.push_back(connectTcp(server_.address()));
     poll();
   }
-  EXPECT_TRUE(reaches(MetricsServer::kMaxConnections));
-  poll();
+  EXPECT_TRUE(stepUntil([this] { poll(); }, [&] { return receiveFrom(sockets[3]).closed; }));
   EXPECT_EQ(server_.connections(), MetricsServer::kMaxConnections);
-  now_ += MetricsServer::kConnectionTime + 1ms;
-  poll();  // drops all of them
-  EXPECT_TRUE(reaches(4));
+  EXPECT_TRUE(receiveFrom(sockets[1]).closed && receiveFrom(sockets[2]).closed);
+  EXPECT_FALSE(receiveFrom(sockets[0]).closed || receiveFrom(sockets[4]).closed || receiveFrom(sockets.back()).closed);
+}
+
+TEST_F(MetricsServerTest, TheOldestConnectionEndsForAnotherIfAllHaveAsked) {
+  std::vector<Descriptor> sockets;
+  for (std::size_t i = 0; i < MetricsServer::kMaxConnections + 1; ++i) {
+    sockets.push_back(connectTcp(server_.address()));
+    std::string request = "GET /metrics HTTP/1.1\r\n\r\n";
+    EXPECT_TRUE(sendTo(sockets.back(), request));
+    EXPECT_TRUE(stepUntil([this] { poll(); }, [&] { return pages_ == static_cast<int>(i) + 1; }));
+  }
+  EXPECT_EQ(server_.connections(), MetricsServer::kMaxConnections) << "they wait for the other end to close";
+}
+
+// It waited for the end of their time, one after the other.
+TEST_F(MetricsServerTest, AScrapeDoesNotWaitForThoseWhoConnectAndSayNothing) {
+  std::vector<Descriptor> sockets;
+  for (int i = 0; i < 40; ++i) {
+    sockets.push_back(connectTcp(server_.address()));
+    if (i % 4 == 3) poll();
+  }
+  EXPECT_TRUE(get("GET /metrics HTTP/1.1\r\n\r\n").ends_with(page_));
+  EXPECT_EQ(now_, TimePoint{});
 }
 
 TEST_F(MetricsServerTest, AClosedConnectionIsForgotten) {
