@@ -1,7 +1,6 @@
 #include "server/admin/console_client.h"
 
 #include <poll.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -83,8 +82,11 @@ int runConsole(const std::string& path, const ConsoleTerminal& terminal) {
     return fail(terminal, "no server answers at '" + path + "' (" + std::strerror(errno) +
                               "); start one, or name its socket after --socket");
   }
-  if (geteuid() != 0 && !peerIsTrusted(socket))
-    return fail(terminal, "the server at '" + path + "' belongs to another user");
+  if (!listenerIsTrusted(socket, path)) {
+    return fail(terminal, "the server at '" + path +
+                              "' belongs to another user; name the socket of your own after --socket, or run the "
+                              "console as that user");
+  }
   ServerConnection server(std::move(socket));
   bool failed = false;
   std::string line;

@@ -17,7 +17,8 @@ struct ConsoleReply {
 /// The reply as it is sent: each line of the text after a space, then a line `ok` or `failed`.
 std::string encode(const ConsoleReply& reply);
 
-/// Puts replies together from the lines that arrive.
+/// Puts replies together from the lines that arrive. Whoever has sent them, the texts can be printed on a terminal: '?'
+/// takes the place of control characters, marks that change the direction of writing, and bytes that are no UTF-8.
 class ConsoleReplyReader {
  public:
   /// Adds a line, without its line feed. Returns the reply with the line that completes it.

@@ -2,12 +2,15 @@
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <optional>
 
+#include "protocol/files/text_file.h"
 #include "protocol/transport/system_address.h"
 
 namespace platon {
@@ -16,6 +19,13 @@ namespace {
 constexpr int kBacklog = 16;
 
 bool wouldWait() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
+
+std::optional<uid_t> userOfPeer(const Descriptor& socket) {
+  ucred peer{};
+  socklen_t length = sizeof peer;
+  const bool known = getsockopt(socket.number(), SOL_SOCKET, SO_PEERCRED, &peer, &length) == 0;
+  return known ? std::optional(peer.uid) : std::nullopt;
+}
 
 }  // namespace
 
@@ -34,10 +44,16 @@ Descriptor connectUnix(const std::string& path) {
 }
 
 bool peerIsTrusted(const Descriptor& socket) {
-  ucred peer{};
-  socklen_t length = sizeof peer;
-  if (getsockopt(socket.number(), SOL_SOCKET, SO_PEERCRED, &peer, &length) != 0) return false;
-  return peer.uid == geteuid() || peer.uid == 0;
+  const std::optional<uid_t> user = userOfPeer(socket);
+  return user && (*user == geteuid() || *user == 0);
+}
+
+bool listenerIsTrusted(const Descriptor& socket, const std::string& path) {
+  if (peerIsTrusted(socket)) return true;
+  struct stat folder {};
+  if (geteuid() != 0 || stat(folderOf(path).c_str(), &folder) != 0) return false;
+  const bool closed = (folder.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+  return closed && userOfPeer(socket) == folder.st_uid;
 }
 
 bool waitFor(const Descriptor& socket, bool sends, std::chrono::milliseconds limit) {

@@ -13,6 +13,10 @@ namespace platon {
 Descriptor connectUnix(const std::string& path);
 /// The user who runs the program at the other end of a Unix socket is this user or root.
 bool peerIsTrusted(const Descriptor& socket);
+/// The user who listens at the path of a Unix socket, to which `socket` is connected, is this user or root. For root it
+/// may also be the user who owns the folder of the socket, if nobody else can write there: root has servers of other
+/// users to control, and anybody can put a socket into a folder like /tmp.
+bool listenerIsTrusted(const Descriptor& socket, const std::string& path);
 
 /// Connects to a TCP address, and waits for at most `limit`. The descriptor is empty on failure; errno then holds the
 /// reason.

@@ -1,11 +1,14 @@
 #include "server/admin/console_client.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <optional>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "server/admin/console_server.h"
 #include "tests/support/temporary_folder.h"
@@ -102,6 +105,67 @@ TEST_F(ConsoleClientTest, SaysThatTheServerHasEnded) {
   EXPECT_EQ(run("end\na\n"), 1);
   EXPECT_EQ(results_.str(), "> end\n");
   EXPECT_EQ(talk_.str(), "platon-server: the server at '" + path_ + "' has ended or does not answer\n");
+}
+
+// A user of this machine other than root.
+constexpr uid_t kStranger = 65534;
+
+// Makes the system take this program for one of another user, as long as it lives. Only root can.
+class ActingAs {
+ public:
+  explicit ActingAs(uid_t user) { EXPECT_EQ(seteuid(user), 0); }
+  ~ActingAs() { EXPECT_EQ(seteuid(0), 0); }
+  ActingAs(const ActingAs&) = delete;
+  ActingAs& operator=(const ActingAs&) = delete;
+};
+
+// The server of another user, at a path that root gives to its console.
+class StrangersServerTest : public ConsoleClientTest {
+ protected:
+  void SetUp() override {
+    if (geteuid() != 0) GTEST_SKIP() << "only root may act as another user";
+    ASSERT_EQ(chown(folder_.path().c_str(), kStranger, kStranger), 0);
+    const ActingAs stranger(kStranger);
+    server_.emplace(path_);
+  }
+
+  // What the console says if the folder has an owner and rights.
+  int runIn(uid_t owner, mode_t rights) {
+    EXPECT_EQ(chown(folder_.path().c_str(), owner, 0), 0);
+    EXPECT_EQ(chmod(folder_.path().c_str(), rights), 0);
+    return run("a\n");
+  }
+
+  std::optional<RunningServer> server_;
+  const std::string refusal_ =
+      "platon-server: the server at '" + path_ +
+      "' belongs to another user; name the socket of your own after --socket, or run the console as that user\n";
+};
+
+TEST_F(StrangersServerTest, RootTellsItNothingWhereOthersCanMakeASocket) {
+  for (const auto& [owner, rights] :
+       {std::pair(0u, 01777u), std::pair(0u, 0755u), std::pair(kStranger, 0757u), std::pair(kStranger, 0775u)}) {
+    EXPECT_EQ(runIn(owner, rights), 1);
+    EXPECT_EQ(talk_.str(), refusal_) << owner << " " << rights;
+    talk_.str("");
+  }
+  EXPECT_EQ(results_.str(), "");
+}
+
+TEST_F(StrangersServerTest, RootControlsItInAFolderOfItsOwn) {
+  EXPECT_EQ(runIn(kStranger, 0755), 0);
+  EXPECT_EQ(results_.str(), "> a\n");
+  EXPECT_EQ(talk_.str(), "");
+}
+
+TEST_F(StrangersServerTest, AnotherUserTellsItNothing) {
+  EXPECT_EQ(chmod(path_.c_str(), 0666), 0);
+  EXPECT_EQ(chmod(folder_.path().c_str(), 0755), 0);
+  {
+    const ActingAs another(kStranger - 1);
+    EXPECT_EQ(run("a\n"), 1);
+  }
+  EXPECT_EQ(talk_.str(), refusal_);
 }
 
 }  // namespace

@@ -43,5 +43,13 @@ TEST(ConsoleReply, AReaderReadsOneReplyAfterTheOther) {
   EXPECT_EQ(reader.add("ok"), (ConsoleReply{true, "b"}));
 }
 
+TEST(ConsoleReply, WhatATerminalWouldObeyIsNotPrinted) {
+  ConsoleReplyReader reader;
+  for (const char* line :
+       {" \x1b[2J\x1b]0;title\x07", " tab\tbell\a", " \xe2\x80\xaename", " \xff\xc3", " \xc2\x9b\x7f", " µ “Zoë” 日本"})
+    EXPECT_EQ(reader.add(line), std::nullopt);
+  EXPECT_EQ(reader.add("ok"), (ConsoleReply{true, "?[2J?]0;title?\ntab?bell?\n?name\n??\n??\nµ “Zoë” 日本"}));
+}
+
 }  // namespace
 }  // namespace platon::console_reply_test
