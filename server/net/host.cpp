@@ -51,8 +51,9 @@ std::size_t roomOf(ENetPeer& peer) {
 
 }  // namespace
 
-Host::Connection::Connection(Moment now)
-    : since(now),
+Host::Connection::Connection(Moment now, SessionId own)
+    : session(own),
+      since(now),
       receivedAt(now),
       datagrams(kDatagramsPerSecond, kDatagramBurst, now),
       bytes(kBytesPerSecond, kByteBurst, now) {}
@@ -96,20 +97,29 @@ bool Host::accepts(SessionId session, ByteSpan content) {
   return charge(connection, content.size());
 }
 
-// ENet would take every further request of the session for a new connection. A client repeats its request until the
-// answer arrives; ENet repeats the answer.
+// A session has one connection, so that requests cost no more than the handshakes before them. A client repeats its
+// request until the answer arrives; ENet repeats the answer.
 bool Host::acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes) {
-  ENetPeer* const end = host_->peers + host_->peerCount;
-  ENetPeer* const peer = std::find_if(host_->peers, end, [&](const ENetPeer& each) {
-    return each.state != ENET_PEER_STATE_DISCONNECTED && fromEnet(each.address) == session;
-  });
-  if (peer == end) return true;
-  if (peer->connectID == connectId) {
-    charge(connections_[peer->incomingPeerID], bytes);
+  const auto found = std::find_if(connections_.begin(), connections_.end(),
+                                  [&](const Connection& each) { return each.session == session; });
+  if (found == connections_.end()) return begin(session, bytes);
+  const ENetPeer& peer = host_->peers[found - connections_.begin()];
+  if (peer.state != ENET_PEER_STATE_DISCONNECTED && peer.connectID == connectId) {
+    charge(*found, bytes);
   } else {
     ++counters_.content;
   }
   return false;
+}
+
+// ENet gives the session its first free peer. The connection before may have ended a moment ago, without an event.
+bool Host::begin(SessionId session, std::size_t bytes) {
+  std::size_t index = 0;
+  while (index < connections_.size() && host_->peers[index].state != ENET_PEER_STATE_DISCONNECTED) ++index;
+  if (index == connections_.size()) return false;
+  if (connections_[index].session.number != 0) end(index);
+  connections_[index] = Connection(now_, session);
+  return charge(connections_[index], bytes);
 }
 
 // False if the connection has sent more than it may.
@@ -162,8 +172,6 @@ void Host::handle(const ENetEvent& event) {
 }
 
 void Host::connect(Connection& connection, ENetPeer& peer) {
-  if (connection.session.number == 0) connection = Connection(now_);
-  connection.session = fromEnet(peer.address);
   connection.since = now_;
   connection.client = nextClient_++;
   indexes_.emplace(*connection.client, peer.incomingPeerID);
@@ -172,17 +180,13 @@ void Host::connect(Connection& connection, ENetPeer& peer) {
   fixSettings(peer);
 }
 
-// Maintains one connection: detects a new one, resets its limits, ends it if it has timed out.
+// Maintains one connection: resets its limits, ends it if it has timed out.
 void Host::maintain(std::size_t index) {
   Connection& connection = connections_[index];
   ENetPeer& peer = host_->peers[index];
   if (peer.state == ENET_PEER_STATE_DISCONNECTED) {
     if (connection.session.number != 0) end(index);
     return;
-  }
-  if (connection.session.number == 0) {
-    connection = Connection(now_);
-    connection.session = fromEnet(peer.address);
   }
   fixSettings(peer);
   limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);

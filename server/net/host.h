@@ -107,7 +107,7 @@ class Host : private EnetPort {
  private:
   // State of one ENet peer.
   struct Connection {
-    explicit Connection(Moment now);
+    explicit Connection(Moment now, SessionId own = {});
 
     std::optional<ClientId> client;  // once connected
     SessionId session;               // number 0: the peer is free
@@ -126,6 +126,7 @@ class Host : private EnetPort {
   bool accepts(SessionId session, ByteSpan content);
   void endSlow();
   bool acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes);
+  bool begin(SessionId session, std::size_t bytes);
   bool charge(Connection& connection, std::size_t bytes);
   void handle(const ENetEvent& event);
   void connect(Connection& connection, ENetPeer& peer);

@@ -9,13 +9,6 @@ constexpr std::size_t kChannelAt = kCommandAt + 1;
 
 }  // namespace
 
-Bytes disconnectContent(std::uint16_t peer) {
-  Bytes content = pingContent(peer);
-  content[kCommandAt] = ENET_PROTOCOL_COMMAND_DISCONNECT | int{ENET_PROTOCOL_COMMAND_FLAG_ACKNOWLEDGE};
-  content.resize(kCommandAt + sizeof(ENetProtocolDisconnect));
-  return content;
-}
-
 Bytes unreliableFragmentContent(std::uint16_t peer) {
   Bytes content = fragmentContent(peer);
   content[kCommandAt] = ENET_PROTOCOL_COMMAND_SEND_UNRELIABLE_FRAGMENT;

@@ -8,7 +8,7 @@
 namespace platon {
 
 /// More contents like those of raw_content.h, that no client of ours sends.
-Bytes disconnectContent(std::uint16_t peer);
+
 /// The first of a million fragments of an unreliable message.
 Bytes unreliableFragmentContent(std::uint16_t peer);
 /// A hundred pings.

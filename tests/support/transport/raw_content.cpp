@@ -45,6 +45,11 @@ Bytes pingContent(std::uint16_t peer) {
   return content(peer, commandOf<ENetProtocolPing>(ENET_PROTOCOL_COMMAND_PING | kAcknowledged, kNoChannel), 0);
 }
 
+Bytes disconnectContent(std::uint16_t peer) {
+  return content(peer, commandOf<ENetProtocolDisconnect>(ENET_PROTOCOL_COMMAND_DISCONNECT | kAcknowledged, kNoChannel),
+                 0);
+}
+
 Bytes acknowledgeContent(std::uint16_t peer, std::uint16_t sequence) {
   auto command = commandOf<ENetProtocolAcknowledge>(ENET_PROTOCOL_COMMAND_ACKNOWLEDGE, kNoChannel);
   command.receivedReliableSequenceNumber = htons(sequence);

@@ -13,6 +13,7 @@ inline constexpr std::size_t kCommandAt = 4;
 /// Contents of sealed datagrams in ENet's format, to the connection `peer` of the receiver.
 Bytes connectContent(std::uint32_t connectId);
 Bytes pingContent(std::uint16_t peer);
+Bytes disconnectContent(std::uint16_t peer);
 Bytes acknowledgeContent(std::uint16_t peer, std::uint16_t sequence);
 Bytes unsequencedContent(std::uint16_t peer, std::uint16_t dataBytes);
 Bytes reliableContent(std::uint16_t peer, std::uint16_t sequence, std::uint16_t dataBytes);
