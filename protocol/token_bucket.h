@@ -24,6 +24,9 @@ class TokenBucket {
     return true;
   }
 
+  /// Adds to the budget, up to its limit.
+  void add(double amount) { level_ = std::min(limit_, level_ + amount); }
+
  private:
   double perSecond_;
   double limit_;

@@ -1,7 +1,10 @@
 #include "protocol/transport/enet_check.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <span>
+#include <utility>
 
 #include "protocol/limits.h"
 
@@ -70,10 +73,34 @@ std::size_t commandBytes(ByteSpan bytes, EnetSender sender) {
   return data != 0 && data <= kMaxMessageBytes && data <= bytes.size() - fixed ? fixed + data : 0;
 }
 
+std::uint16_t sequenceOf(ByteSpan command) {
+  const bool acknowledges = (command[0] & ENET_PROTOCOL_COMMAND_MASK) == ENET_PROTOCOL_COMMAND_ACKNOWLEDGE;
+  return read16(command, acknowledges ? offsetof(ENetProtocolAcknowledge, receivedReliableSequenceNumber)
+                                      : offsetof(ENetProtocolCommandHeader, reliableSequenceNumber));
+}
+
 enet_uint32 connectIdOf(ByteSpan connect) {
   enet_uint32 id = 0;
   std::memcpy(&id, connect.data() + offsetof(ENetProtocolConnect, connectID), sizeof id);
   return id;
+}
+
+// Null if no command of this number is outstanding.
+const ENetOutgoingCommand* findOutstanding(const ENetPeer& sender, std::uint8_t channel, std::uint16_t sequence) {
+  const ENetOutgoingCommand* found = nullptr;
+  forEachOutstanding(sender, [&](const ENetOutgoingCommand& each) {
+    if (each.command.header.channelID == channel && each.reliableSequenceNumber == sequence) found = &each;
+  });
+  return found;
+}
+
+// Whether one of the commands acknowledges the same.
+bool acknowledges(const EnetCommands& commands, const EnetCommand& acknowledgement) {
+  const auto end = commands.commands.begin() + static_cast<std::ptrdiff_t>(commands.count);
+  return std::any_of(commands.commands.begin(), end, [&](const EnetCommand& each) {
+    return each.command == acknowledgement.command && each.channel == acknowledgement.channel &&
+           each.sequence == acknowledgement.sequence;
+  });
 }
 
 }  // namespace
@@ -96,7 +123,8 @@ std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender
     if (command == ENET_PROTOCOL_COMMAND_CONNECT) found.connectId = connectIdOf(rest);
     spoken += command != ENET_PROTOCOL_COMMAND_ACKNOWLEDGE ? 1 : 0;
     connects = connects || command == ENET_PROTOCOL_COMMAND_CONNECT;
-    found.commands[found.count++] = {command, rest[1], read16(rest, 2)};
+    const auto offset = static_cast<std::uint16_t>(content.size() - rest.size());
+    found.commands[found.count++] = {command, rest[1], sequenceOf(rest), offset, static_cast<std::uint16_t>(bytes)};
     rest = rest.subspan(bytes);
   }
   if (sender == EnetSender::kClient && spoken > EnetCommands::kMaxOfClient) return std::nullopt;
@@ -116,6 +144,29 @@ bool areSequencesNear(const EnetCommands& commands, const ENetPeer& receiver) {
     if (ahead > kMaxAhead && ahead < static_cast<std::uint16_t>(-kMaxBehind)) return false;
   }
   return true;
+}
+
+std::size_t bytesOf(const ENetOutgoingCommand& command) {
+  return enet_protocol_command_size(command.command.header.command) + command.fragmentLength;
+}
+
+std::size_t removeFalseAcknowledgements(Bytes& content, EnetCommands& commands, const ENetPeer& receiver) {
+  const EnetCommands all = commands;
+  const Bytes from = std::move(content);
+  std::size_t acknowledged = 0;
+  content.assign(from.begin(), from.begin() + all.commands[0].offset);
+  commands.count = 0;
+  for (const EnetCommand& each : std::span(all.commands).first(all.count)) {
+    if (each.command == ENET_PROTOCOL_COMMAND_ACKNOWLEDGE) {
+      const ENetOutgoingCommand* const sent = findOutstanding(receiver, each.channel, each.sequence);
+      if (sent == nullptr || acknowledges(commands, each)) continue;
+      acknowledged += bytesOf(*sent);
+    }
+    commands.commands[commands.count] = each;
+    commands.commands[commands.count++].offset = static_cast<std::uint16_t>(content.size());
+    content.insert(content.end(), from.begin() + each.offset, from.begin() + each.offset + each.bytes);
+  }
+  return acknowledged;
 }
 
 }  // namespace platon

@@ -17,7 +17,9 @@ enum class EnetSender { kClient, kServer };
 struct EnetCommand {
   std::uint8_t command = 0;  ///< ENET_PROTOCOL_COMMAND_…
   std::uint8_t channel = 0;
-  std::uint16_t sequence = 0;
+  std::uint16_t sequence = 0;  ///< of an acknowledgement, that of the command which it acknowledges
+  std::uint16_t offset = 0;    ///< in the content
+  std::uint16_t bytes = 0;     ///< with its data
 };
 
 /// The commands of one datagram.
@@ -44,5 +46,26 @@ std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender
 /// the gap is filled. True for a receiver that is closing and has no channels: ENet drops what a sender repeats that
 /// does not know yet.
 bool areSequencesNear(const EnetCommands& commands, const ENetPeer& receiver);
+
+/// Calls `visit` with each reliable command that `sender` has sent and that is outstanding: not acknowledged so far.
+/// ENet waits for the acknowledgement, or has given the command up for lost and is about to send it again.
+template <class Visit>
+void forEachOutstanding(const ENetPeer& sender, Visit visit) {
+  for (const ENetList* list : {&sender.sentReliableCommands, &sender.outgoingCommands}) {
+    for (ENetListIterator each = enet_list_begin(list); each != enet_list_end(list); each = enet_list_next(each)) {
+      const auto& command = *reinterpret_cast<const ENetOutgoingCommand*>(each);
+      const bool isReliable = (command.command.header.command & ENET_PROTOCOL_COMMAND_FLAG_ACKNOWLEDGE) != 0;
+      if (isReliable && command.sendAttempts > 0) visit(command);
+    }
+  }
+}
+
+/// Bytes that a command adds to a datagram, with its data.
+std::size_t bytesOf(const ENetOutgoingCommand& command);
+
+/// Removes from a content all acknowledgements of commands that are not outstanding at their sender, `receiver`, and
+/// repeated ones. ENet would take them for a sign of life and believe the time in them. Returns the bytes of the
+/// commands that are acknowledged. `commands` are those of the content, before and after.
+std::size_t removeFalseAcknowledgements(Bytes& content, EnetCommands& commands, const ENetPeer& receiver);
 
 }  // namespace platon

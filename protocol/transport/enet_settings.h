@@ -74,6 +74,18 @@ inline void limitRetransmissionTimeout(ENetPeer& peer, enet_uint32 maxMs) {
   }
 }
 
+/// Lets ENet send only those of the reliable commands again that are due now and for which `may` is true. Call it
+/// before every service of the host, after limitRetransmissionTimeout. `now`: time of this service.
+template <class May>
+void postponeRetransmissions(ENetPeer& peer, enet_uint32 now, May may) {
+  for (ENetListIterator each = enet_list_begin(&peer.sentReliableCommands);
+       each != enet_list_end(&peer.sentReliableCommands); each = enet_list_next(each)) {
+    auto* const command = reinterpret_cast<ENetOutgoingCommand*>(each);
+    const enet_uint32 waited = ENET_TIME_DIFFERENCE(now, command->sentTime);
+    if (waited >= command->roundTripTimeout && !may(*command)) command->roundTripTimeout = waited + 1;
+  }
+}
+
 /// Queues a message on the channel of its kind. No effect if ENet cannot take it.
 inline void sendMessage(ENetPeer& peer, std::span<const std::uint8_t> message, bool reliable) {
   const enet_uint32 flags = reliable ? ENET_PACKET_FLAG_RELIABLE : ENET_PACKET_FLAG_UNSEQUENCED;

@@ -23,6 +23,16 @@ constexpr double kDatagramBurst = 300;
 constexpr double kBytesPerSecond = 32 * 1024;
 constexpr double kByteBurst = 64 * 1024;
 
+// What a connection is sent again, and how much may be on the way, grow with what it acknowledges; otherwise somebody
+// who acknowledges nothing would be sent a multiple of what he sends. After an interruption of the network, the
+// smallest rate lets the first acknowledgements come.
+constexpr double kResentBytesPerSecond = 384;
+constexpr double kResentBytesLimit = 64 * 1024;
+constexpr double kFirstResentBytes = 1536;
+constexpr std::size_t kFirstWindow = 4 * 1024;
+constexpr std::size_t kMaxWindow = ENET_PROTOCOL_MAXIMUM_WINDOW_SIZE;
+constexpr std::size_t kGainOfAcknowledged = 2;  // bytes for each byte acknowledged
+
 // Calls of enet_host_service in one call of service: it stops receiving after an event.
 constexpr int kMaxServiceCalls = 64;
 
@@ -56,7 +66,11 @@ Host::Connection::Connection(Moment now, SessionId own)
       since(now),
       receivedAt(now),
       datagrams(kDatagramsPerSecond, kDatagramBurst, now),
-      bytes(kBytesPerSecond, kByteBurst, now) {}
+      bytes(kBytesPerSecond, kByteBurst, now),
+      resends(kResentBytesPerSecond, kResentBytesLimit, now),
+      window(kFirstWindow) {
+  resends.take(kResentBytesLimit - kFirstResentBytes, now);
+}
 
 Host::Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
            Moment now)
@@ -82,8 +96,9 @@ std::optional<EnetPort::Received> Host::receiveForEnet() {
   return std::nullopt;
 }
 
-bool Host::accepts(SessionId session, ByteSpan content) {
-  const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kClient);
+// Whether ENet may see the content, without what was removed from it.
+bool Host::accepts(SessionId session, Bytes& content) {
+  std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kClient);
   if (commands && commands->isConnect()) return acceptsConnect(session, commands->connectId, content.size());
   const bool isPeer = commands && commands->peer < connections_.size() &&
                       fromEnet(host_->peers[commands->peer].address) == session &&
@@ -94,7 +109,11 @@ bool Host::accepts(SessionId session, ByteSpan content) {
   }
   Connection& connection = connections_[commands->peer];
   connection.receivedAt = now_;
-  return charge(connection, content.size());
+  if (!charge(connection, content.size())) return false;
+  const std::size_t acknowledged = removeFalseAcknowledgements(content, *commands, host_->peers[commands->peer]);
+  connection.resends.add(static_cast<double>(kGainOfAcknowledged * acknowledged));
+  connection.window = std::min(connection.window + kGainOfAcknowledged * acknowledged, kMaxWindow);
+  return commands->count != 0;
 }
 
 // A session has one connection, so that requests cost no more than the handshakes before them. A client repeats its
@@ -136,6 +155,7 @@ std::span<const HostEvent> Host::service(Moment now) {
   events_.clear();
   packets_.clear();
   endSlow();
+  for (std::size_t index = 0; index < connections_.size(); ++index) limitResends(index);
   ENetEvent event{};
   for (int pass = 0; pass < kMaxServiceCalls; ++pass) {
     const int result = serviceEnet(*host_, event);
@@ -147,6 +167,16 @@ std::span<const HostEvent> Host::service(Moment now) {
   gate_.expire(now);
   gate_.flush(now);
   return events_;
+}
+
+// Decides what ENet takes for lost and sends again. What the connection may not be sent now is due again with the next
+// call.
+void Host::limitResends(std::size_t index) {
+  ENetPeer& peer = host_->peers[index];
+  limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);
+  postponeRetransmissions(peer, enet_time_get(), [&](const ENetOutgoingCommand& command) {
+    return connections_[index].resends.take(static_cast<double>(bytesOf(command) + SealedChannel::kOverhead), now_);
+  });
 }
 
 // Before ENet receives anything, because it gives the place of an ended connection to the next newcomer.
@@ -189,11 +219,29 @@ void Host::maintain(std::size_t index) {
     return;
   }
   fixSettings(peer);
-  limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);
+  peer.windowSize = static_cast<enet_uint32>(connection.window);
+  noteOutstanding(connection, peer);
   if (hasTimedOut(connection)) end(index);
 }
 
+void Host::noteOutstanding(Connection& connection, const ENetPeer& peer) const {
+  const std::vector<Outstanding> before = std::exchange(connection.outstanding, {});
+  forEachOutstanding(peer, [&](const ENetOutgoingCommand& command) {
+    Outstanding now{command.command.header.channelID, command.reliableSequenceNumber, now_};
+    for (const Outstanding& each : before) {
+      if (each.channel == now.channel && each.sequence == now.sequence) now.since = each.since;
+    }
+    connection.outstanding.push_back(now);
+  });
+}
+
 bool Host::hasTimedOut(const Connection& connection) {
+  const bool isSlow = std::any_of(connection.outstanding.begin(), connection.outstanding.end(),
+                                  [&](const Outstanding& each) { return now_ - each.since >= kMaxUnacknowledged; });
+  if (isSlow) {
+    ++counters_.slow;
+    return true;
+  }
   if (connection.admitted) {
     const bool isSilent = now_ - connection.receivedAt >= kSilenceTimeout;
     counters_.silent += isSilent ? 1 : 0;

@@ -62,6 +62,9 @@ class Host : private EnetPort {
   /// Largest number of reliable messages that wait for a client's acknowledgement. A connection that would exceed it
   /// ends.
   static constexpr std::size_t kMaxQueuedMessages = 128;
+  /// A connection ends when a client has not acknowledged a reliable message or ping for so long since it was first
+  /// sent.
+  static constexpr std::chrono::seconds kMaxUnacknowledged{10};
 
   /// Throws SocketError if ENet cannot be used.
   Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
@@ -105,6 +108,13 @@ class Host : private EnetPort {
   std::vector<Rejection> rejections() const;
 
  private:
+  // A command that waits for its acknowledgement.
+  struct Outstanding {
+    std::uint8_t channel = 0;
+    std::uint16_t sequence = 0;
+    Moment since;  // when it was first sent
+  };
+
   // State of one ENet peer.
   struct Connection {
     explicit Connection(Moment now, SessionId own = {});
@@ -117,20 +127,25 @@ class Host : private EnetPort {
     Moment receivedAt;  // when the last datagram arrived
     TokenBucket datagrams;
     TokenBucket bytes;
+    TokenBucket resends;                   // bytes that may be sent again
+    std::size_t window;                    // most bytes of messages that may be outstanding
+    std::vector<Outstanding> outstanding;  // at the end of the last call of `service`
   };
 
   using Packet = std::unique_ptr<ENetPacket, void (*)(ENetPacket*)>;
 
   void sendFromEnet(const ENetAddress& session, ByteSpan bytes) override;
   std::optional<Received> receiveForEnet() override;
-  bool accepts(SessionId session, ByteSpan content);
+  bool accepts(SessionId session, Bytes& content);
   void endSlow();
   bool acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes);
   bool begin(SessionId session, std::size_t bytes);
   bool charge(Connection& connection, std::size_t bytes);
+  void limitResends(std::size_t index);
   void handle(const ENetEvent& event);
   void connect(Connection& connection, ENetPeer& peer);
   void maintain(std::size_t index);
+  void noteOutstanding(Connection& connection, const ENetPeer& peer) const;
   bool hasTimedOut(const Connection& connection);
   void end(std::size_t index);
   std::optional<std::size_t> indexOf(ClientId client) const;

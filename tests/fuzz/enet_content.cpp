@@ -82,7 +82,11 @@ std::optional<Reading> readContent(ByteSpan content, EnetSender sender) {
   for (ByteSpan rest = content.subspan(head); !rest.empty();) {
     const std::optional<std::size_t> bytes = rest.size() < 4 ? std::nullopt : commandBytes(rest, sender);
     if (!bytes) return std::nullopt;
-    reading.commands.push_back({static_cast<std::uint8_t>(rest[0] % 16), rest[1], read(rest, 2)});
+    const auto number = static_cast<std::uint8_t>(rest[0] % 16);
+    const std::size_t sequenceAt = number == kAcknowledge ? 4 : 2;
+    reading.commands.push_back({number, rest[1], read(rest, sequenceAt),
+                                static_cast<std::uint16_t>(content.size() - rest.size()),
+                                static_cast<std::uint16_t>(*bytes)});
     rest = rest.subspan(*bytes);
   }
   return isWhole(reading, sender) ? std::optional(reading) : std::nullopt;
@@ -138,7 +142,8 @@ std::string enetContentFault(ByteSpan content, EnetSender sender) {
   for (std::size_t i = 0; same && i < found->count; ++i) {
     const EnetCommand& one = found->commands[i];
     const EnetCommand& other = expected->commands[i];
-    same = one.command == other.command && one.channel == other.channel && one.sequence == other.sequence;
+    same = one.command == other.command && one.channel == other.channel && one.sequence == other.sequence &&
+           one.offset == other.offset && one.bytes == other.bytes;
   }
   return same ? std::string() : "the commands of a content are read wrongly";
 }

@@ -35,5 +35,15 @@ TEST(TokenBucket, TimeThatGoesBackAddsNothing) {
   EXPECT_FALSE(bucket.take(1, kStart - 1s));
 }
 
+TEST(TokenBucket, WhatIsAddedCountsUpToItsLimit) {
+  TokenBucket bucket(10, 3, kStart);
+  EXPECT_TRUE(bucket.take(3, kStart));
+  bucket.add(2);
+  EXPECT_TRUE(bucket.take(2, kStart));
+  bucket.add(100);
+  EXPECT_TRUE(bucket.take(3, kStart));
+  EXPECT_FALSE(bucket.take(1, kStart));
+}
+
 }  // namespace
 }  // namespace platon::token_bucket_test

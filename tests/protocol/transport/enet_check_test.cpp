@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "protocol/limits.h"
+#include "protocol/transport/enet_calls.h"
+#include "protocol/transport/enet_settings.h"
 #include "tests/support/transport/raw_content.h"
 
 namespace platon::enet_check_test {
@@ -16,15 +21,6 @@ std::optional<EnetCommands> fromServer(ByteSpan content) { return readEnetComman
 Bytes with(Bytes content, std::size_t offset, int value) {
   content[offset] = static_cast<std::uint8_t>(value);
   return content;
-}
-
-// The first content, and the commands of the others behind it.
-Bytes joined(const std::vector<Bytes>& contents) {
-  Bytes all = contents.front();
-  for (std::size_t i = 1; i < contents.size(); ++i) {
-    all.insert(all.end(), contents[i].begin() + kCommandAt, contents[i].end());
-  }
-  return all;
 }
 
 TEST(EnetCheck, TellsRequestsToConnectFromDatagramsOfPeers) {
@@ -42,7 +38,8 @@ TEST(EnetCheck, TellsARepeatedRequestFromAnother) {
 }
 
 TEST(EnetCheck, ReadsChannelAndSequenceOfEachCommand) {
-  const auto commands = fromClient(joined({reliableContent(3, 900, 5), pingContent(3), unsequencedContent(3, 9)}));
+  const auto commands =
+      fromClient(joinedContents({reliableContent(3, 900, 5), pingContent(3), unsequencedContent(3, 9)}));
   ASSERT_TRUE(commands);
   ASSERT_EQ(commands->count, 3u);
   EXPECT_EQ(commands->commands[0].sequence, 900);
@@ -69,7 +66,7 @@ TEST(EnetCheck, RefusesWhatOurProgramsDoNotSend) {
       {"unknown command", with(pingContent(7), kCommandAt, 15)},
       {"ping without peer", pingContent(0xfff)},
       {"connect to a peer", with(connectContent(1), 1, 7)},
-      {"ping beside connect", joined({connectContent(1), pingContent(7)})},
+      {"ping beside connect", joinedContents({connectContent(1), pingContent(7)})},
   };
   for (const auto& [what, content] : refused) EXPECT_FALSE(fromClient(content)) << what;
 }
@@ -86,12 +83,12 @@ TEST(EnetCheck, EachSideMaySendOnlyItsOwnHandshake) {
 }
 
 TEST(EnetCheck, RefusesTooManyCommands) {
-  EXPECT_TRUE(fromClient(joined(std::vector<Bytes>(16, pingContent(7)))));
-  EXPECT_FALSE(fromClient(joined(std::vector<Bytes>(17, pingContent(7)))));
-  EXPECT_TRUE(fromServer(joined(std::vector<Bytes>(32, pingContent(7)))));
-  EXPECT_FALSE(fromServer(joined(std::vector<Bytes>(33, pingContent(7)))));
-  EXPECT_TRUE(fromClient(joined(std::vector<Bytes>(32, acknowledgeContent(7, 1)))));
-  EXPECT_FALSE(fromClient(joined(std::vector<Bytes>(33, acknowledgeContent(7, 1)))));
+  EXPECT_TRUE(fromClient(joinedContents(std::vector<Bytes>(16, pingContent(7)))));
+  EXPECT_FALSE(fromClient(joinedContents(std::vector<Bytes>(17, pingContent(7)))));
+  EXPECT_TRUE(fromServer(joinedContents(std::vector<Bytes>(32, pingContent(7)))));
+  EXPECT_FALSE(fromServer(joinedContents(std::vector<Bytes>(33, pingContent(7)))));
+  EXPECT_TRUE(fromClient(joinedContents(std::vector<Bytes>(32, acknowledgeContent(7, 1)))));
+  EXPECT_FALSE(fromClient(joinedContents(std::vector<Bytes>(33, acknowledgeContent(7, 1)))));
 }
 
 TEST(EnetCheck, RefusesLengthsThatDoNotMatch) {
@@ -138,6 +135,82 @@ TEST(EnetCheck, ReadsRandomContents) {
     passed += fromClient(bytes) ? 1 : 0;
   }
   EXPECT_GT(passed, 0u);
+}
+
+/// A connection that has sent a request and two messages.
+class EnetOutstandingTest : public testing::Test {
+ protected:
+  EnetOutstandingTest() : host_(createEnetHost(1, 5), enet_host_destroy) {
+    const ENetAddress session{1, 1};
+    peer_ = enet_host_connect(host_.get(), &session, kChannels, 0);
+    enet_host_flush(host_.get());
+    peer_->state = ENET_PEER_STATE_CONNECTED;
+    sendMessage(*peer_, Bytes(100), true);
+    sendMessage(*peer_, Bytes(200), true);
+    sendMessage(*peer_, Bytes(300), false);
+    enet_host_flush(host_.get());
+    sendMessage(*peer_, Bytes(400), true);  // not on the way yet
+  }
+
+  struct Port : EnetPort {
+    void sendFromEnet(const ENetAddress&, ByteSpan) override {}
+    std::optional<Received> receiveForEnet() override { return std::nullopt; }
+  };
+
+  // What remains of a content; the bytes that it acknowledges.
+  std::pair<Bytes, std::size_t> remainder(Bytes content) const {
+    std::optional<EnetCommands> commands = fromClient(content);
+    EXPECT_TRUE(commands);
+    const std::size_t acknowledged = removeFalseAcknowledgements(content, *commands, *peer_);
+    const std::optional<EnetCommands> again = fromClient(content);
+    EXPECT_EQ(commands->count, again ? again->count : 0);
+    for (std::size_t i = 0; i < commands->count; ++i) {
+      EXPECT_EQ(commands->commands[i].offset, again->commands[i].offset);
+    }
+    return {content, acknowledged};
+  }
+  static Bytes acknowledgementOf(std::uint16_t sequence, std::uint8_t channel = kReliableChannel) {
+    return acknowledgeContent(7, sequence, channel);
+  }
+
+  Port port_;
+  EnetScope scope_{port_, std::chrono::seconds(1000)};
+  std::unique_ptr<ENetHost, void (*)(ENetHost*)> host_;
+  ENetPeer* peer_ = nullptr;
+};
+
+TEST_F(EnetOutstandingTest, AcknowledgementsOfWhatWasSentStay) {
+  const Bytes both = joinedContents({acknowledgementOf(2), acknowledgementOf(1)});
+  EXPECT_EQ(remainder(both), std::pair(both, 2 * sizeof(ENetProtocolSendReliable) + 300));
+}
+
+TEST_F(EnetOutstandingTest, AcknowledgementsOfAnythingElseAreRemoved) {
+  for (const Bytes& content : {acknowledgementOf(40000), acknowledgementOf(0), acknowledgementOf(3),
+                               acknowledgementOf(1, kTickChannel), acknowledgementOf(2, 0xff)}) {
+    const auto [left, acknowledged] = remainder(content);
+    EXPECT_EQ(left.size(), kCommandAt);
+    EXPECT_EQ(acknowledged, 0u);
+  }
+}
+
+TEST_F(EnetOutstandingTest, ARepeatedAcknowledgementCountsOnce) {
+  const auto [left, acknowledged] = remainder(joinedContents(std::vector<Bytes>(10, acknowledgementOf(1))));
+  EXPECT_EQ(left, acknowledgementOf(1));
+  EXPECT_EQ(acknowledged, sizeof(ENetProtocolSendReliable) + 100);
+}
+
+TEST_F(EnetOutstandingTest, WhatStandsBesideAFalseAcknowledgementStays) {
+  const Bytes message = reliableContent(7, 1, Bytes{1, 2, 3});
+  const Bytes all = joinedContents({acknowledgementOf(9), message, acknowledgementOf(9), pingContent(7)});
+  EXPECT_EQ(remainder(all).first, joinedContents({message, pingContent(7)}));
+}
+
+// ENet has moved it to the commands that wait until they are sent.
+TEST_F(EnetOutstandingTest, WhatIsAboutToBeSentAgainIsOutstanding) {
+  ENetOutgoingCommand* const first =
+      reinterpret_cast<ENetOutgoingCommand*>(enet_list_front(&peer_->sentReliableCommands));
+  enet_list_insert(enet_list_begin(&peer_->outgoingCommands), enet_list_remove(&first->outgoingCommandList));
+  EXPECT_EQ(remainder(acknowledgementOf(1)).first, acknowledgementOf(1));
 }
 
 }  // namespace

@@ -59,6 +59,28 @@ TEST_F(EnetSettingsTest, AnUnacknowledgedCommandIsSentAgainAfterTheLimit) {
   EXPECT_EQ(command->roundTripTimeout, 70u);
 }
 
+TEST_F(EnetSettingsTest, ACommandThatIsDueIsSentAgainOnlyIfItMay) {
+  enet_host_flush(host_.get());
+  const auto serviceAt = [&](Moment now, bool may) {
+    const EnetScope scope(port_, now);
+    int asked = 0;
+    limitRetransmissionTimeout(*peer_, 70);
+    postponeRetransmissions(*peer_, enet_time_get(), [&](const ENetOutgoingCommand&) { return ++asked > 0 && may; });
+    ENetEvent event{};
+    serviceEnet(*host_, event);
+    return asked;
+  };
+  using std::chrono::milliseconds;
+  const Moment sent = std::chrono::seconds(1000);
+  EXPECT_EQ(serviceAt(sent + milliseconds(69), false), 0) << "it is not due";
+  EXPECT_EQ(serviceAt(sent + milliseconds(70), false), 1);
+  EXPECT_EQ(serviceAt(sent + milliseconds(71), false), 1) << "it is still due";
+  EXPECT_EQ(port_.sent.size(), 1u);
+  EXPECT_EQ(serviceAt(sent + milliseconds(90), true), 1);
+  EXPECT_EQ(port_.sent.size(), 2u);
+  EXPECT_EQ(serviceAt(sent + milliseconds(91), true), 0) << "it was sent a moment ago";
+}
+
 TEST_F(EnetSettingsTest, TheLongestMessageIsNotSplit) {
   enet_host_flush(host_.get());
   peer_->state = ENET_PEER_STATE_CONNECTED;

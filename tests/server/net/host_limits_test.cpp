@@ -11,6 +11,110 @@ using namespace std::chrono_literals;
 
 class HostLimitsTest : public HostTest {};
 
+/// A host with a hostile client that plays.
+class UnacknowledgedTest : public HostTest {
+ protected:
+  UnacknowledgedTest() {
+    eve_.connect(host_, now_);
+    eve_.send(reliableContent(eve_.peer(), 1, 5), now_);
+    player_ = host_.service(now_).front().client;
+    host_.admit(player_);
+  }
+
+  // Reliable messages of 1 000 bytes.
+  void say(int messages) {
+    for (int i = 0; i < messages; ++i) host_.send(player_, true, Bytes(1000));
+    host_.flush(now_);
+  }
+  void acknowledge(std::uint16_t sequence) {
+    eve_.send(acknowledgeContent(eve_.peer(), sequence, kReliableChannel, time()), now_);
+  }
+  std::size_t bytesToEve() const { return network_.bytesTo(kEve); }
+  std::uint16_t time() const { return static_cast<std::uint16_t>(now_ / 1ms); }
+
+  ClientId player_ = 0;
+};
+
+// 0.26 kB/s of them made the server send 50 kB/s for ever.
+TEST_F(UnacknowledgedTest, AcknowledgementsOfWhatWasNeverSentKeepNoConnectionOpen) {
+  say(1);
+  host_.service(now_);
+  const Moment said = now_;
+  for (now_ += 250ms; now_ < said + 10s; now_ += 250ms) {
+    acknowledge(40000);
+    ASSERT_TRUE(host_.service(now_).empty()) << (now_ - said) / 1ms << " ms";
+  }
+  acknowledge(40000);
+  ASSERT_EQ(host_.service(said + 10s).size(), 1u);
+  EXPECT_TRUE(host_.empty());
+  EXPECT_EQ(host_.counters().slow, 1u);
+}
+
+TEST_F(UnacknowledgedTest, TheTimeInAnAcknowledgementOfWhatWasNeverSentIsNotBelieved) {
+  now_ += 5s;
+  const std::uint32_t before = host_.roundTripMs(player_);
+  eve_.send(acknowledgeContent(eve_.peer(), 40000, kReliableChannel, static_cast<std::uint16_t>(time() - 4000)), now_);
+  host_.service(now_);
+  EXPECT_EQ(host_.roundTripMs(player_), before);
+}
+
+TEST_F(UnacknowledgedTest, WhatStandsBesideAFalseAcknowledgementArrives) {
+  eve_.send(joinedContents({acknowledgeContent(eve_.peer(), 40000, kReliableChannel),
+                            reliableContent(eve_.peer(), 2, Bytes{7, 8})}),
+            now_);
+  const std::span<const HostEvent> events = host_.service(now_);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(Bytes(events[0].bytes.begin(), events[0].bytes.end()), (Bytes{7, 8}));
+}
+
+// The first message stays, however fast the later ones are acknowledged.
+TEST_F(UnacknowledgedTest, AConnectionEndsTenSecondsAfterItsOldestMessageWasSent) {
+  say(1);
+  host_.service(now_);
+  const Moment said = now_;
+  for (std::uint16_t sequence = 2; (now_ += 250ms) < said + 10s; ++sequence) {
+    host_.send(player_, true, Bytes(10));
+    host_.flush(now_);
+    acknowledge(sequence);
+    ASSERT_TRUE(host_.service(now_).empty()) << (now_ - said) / 1ms << " ms";
+  }
+  ASSERT_EQ(host_.service(said + 10s).size(), 1u);
+  EXPECT_EQ(host_.counters().slow, 1u);
+}
+
+// 4 096 bytes, then 384 a second, 1 536 of them at once, each message with 26 bytes more.
+TEST_F(UnacknowledgedTest, WhoAcknowledgesNothingIsSentFourMessagesAndFewOfThemAgain) {
+  const std::size_t before = bytesToEve();
+  say(40);
+  for (const Moment end = now_ + 9s; now_ < end; now_ += 10ms) {
+    if (now_ / 1ms % 250 == 0) acknowledge(40000);
+    host_.service(now_);
+  }
+  EXPECT_EQ((bytesToEve() - before) / 1000, 4u + (1536 + 9 * 384) / 1026);
+}
+
+TEST_F(UnacknowledgedTest, WhoAcknowledgesIsSentThreeTimesAsMuchAtOnce) {
+  const std::size_t before = bytesToEve();
+  say(40);
+  EXPECT_EQ((bytesToEve() - before) / 1000, 4u);
+  for (std::uint16_t sequence = 1; sequence <= 4; ++sequence) acknowledge(sequence);
+  host_.service(now_);  // the window grows after it
+  host_.flush(now_);
+  EXPECT_EQ((bytesToEve() - before) / 1000, 4u + 12);
+}
+
+TEST_F(HostLimitsTest, AfterAnInterruptionOfFourSecondsAllMessagesArrive) {
+  const ClientId client = connect();
+  host_.admit(client);
+  for (int i = 0; i < 100; ++i) host_.send(client, true, Bytes(1000, static_cast<std::uint8_t>(i)));
+  ASSERT_TRUE(run([this] { return received_.size() >= 10; }));
+  const Moment interrupted = now_;
+  network_.setFilter([this, interrupted](const auto&) { return now_ - interrupted >= 4s; });
+  EXPECT_TRUE(run([this] { return received_.size() == 100; }));
+  EXPECT_LE(now_ - interrupted, 8s);
+  EXPECT_TRUE(host_.isOpen(client));
+}
+
 // 10 800 connections a second were free: ENet ends one that is not confirmed without an event.
 TEST_F(HostLimitsTest, ASessionWhoseConnectionHasEndedGetsNoOther) {
   eve_.join(host_, now_);

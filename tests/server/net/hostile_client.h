@@ -34,7 +34,8 @@ class HostileClient {
     join(host, now);
     send(connectContent(77), now);
     step(host, now);
-    send(acknowledgeContent(peer_, 1), now);
+    const auto time = static_cast<std::uint16_t>(now / std::chrono::milliseconds(1));
+    send(acknowledgeContent(peer_, 1, 0xff, time), now);
     step(host, now);
   }
 

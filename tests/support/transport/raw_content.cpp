@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <enet/enet.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace platon {
@@ -29,6 +30,11 @@ Command commandOf(int number, std::uint8_t channel, std::uint16_t sequence = 0) 
   return command;
 }
 
+Bytes withData(Bytes bytes, ByteSpan data) {
+  std::copy(data.begin(), data.end(), bytes.end() - static_cast<std::ptrdiff_t>(data.size()));
+  return bytes;
+}
+
 }  // namespace
 
 Bytes connectContent(std::uint32_t connectId) {
@@ -50,9 +56,10 @@ Bytes disconnectContent(std::uint16_t peer) {
                  0);
 }
 
-Bytes acknowledgeContent(std::uint16_t peer, std::uint16_t sequence) {
-  auto command = commandOf<ENetProtocolAcknowledge>(ENET_PROTOCOL_COMMAND_ACKNOWLEDGE, kNoChannel);
+Bytes acknowledgeContent(std::uint16_t peer, std::uint16_t sequence, std::uint8_t channel, std::uint16_t time) {
+  auto command = commandOf<ENetProtocolAcknowledge>(ENET_PROTOCOL_COMMAND_ACKNOWLEDGE, channel);
   command.receivedReliableSequenceNumber = htons(sequence);
+  command.receivedSentTime = htons(time);
   return content(peer, command, 0);
 }
 
@@ -67,6 +74,24 @@ Bytes reliableContent(std::uint16_t peer, std::uint16_t sequence, std::uint16_t 
   auto command = commandOf<ENetProtocolSendReliable>(ENET_PROTOCOL_COMMAND_SEND_RELIABLE | kAcknowledged, 0, sequence);
   command.dataLength = htons(dataBytes);
   return content(peer, command, dataBytes);
+}
+
+Bytes unsequencedContent(std::uint16_t peer, ByteSpan data) {
+  return withData(unsequencedContent(peer, static_cast<std::uint16_t>(data.size())), data);
+}
+
+Bytes reliableContent(std::uint16_t peer, std::uint16_t sequence, ByteSpan data) {
+  return withData(reliableContent(peer, sequence, static_cast<std::uint16_t>(data.size())), data);
+}
+
+std::uint16_t sentTimeOf(ByteSpan content) { return static_cast<std::uint16_t>(content[2] << 8 | content[3]); }
+
+Bytes joinedContents(const std::vector<Bytes>& contents) {
+  Bytes all = contents.front();
+  for (std::size_t i = 1; i < contents.size(); ++i) {
+    all.insert(all.end(), contents[i].begin() + kCommandAt, contents[i].end());
+  }
+  return all;
 }
 
 Bytes unreliableContent(std::uint16_t peer, std::uint16_t sequence) {
