@@ -49,8 +49,8 @@ def measured(netcode, players):
 
 def attacked(security):
     """The largest share of a core in per cent, and the most memory in KiB, of all attacks."""
-    rows = [row for row in rows_of(security, []) if len(row) == 11 and row[9].startswith("+")]
-    return max(int(row[10]) for row in rows), max(int(row[9]) for row in rows)
+    rows = [row for row in rows_of(security, []) if len(row) == 12 and row[10].startswith("+")]
+    return max(int(row[11]) for row in rows), max(int(row[10]) for row in rows)
 
 
 def grouped(value):

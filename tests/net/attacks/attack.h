@@ -30,7 +30,14 @@ struct Attack {
   std::string_view reason;
   std::function<std::unique_ptr<Attacker>(AttackNetwork&)> start;
   IpVersion version = IpVersion::kIpv4;
+  /// Whether the attacker sends little in order to be sent much. In kAmplifyingLasts after kAmplifyingBegins he may be
+  /// sent at most kMaxAmplification times the bytes that he sends, ticks aside.
+  bool amplifies = false;
 };
+
+inline constexpr Moment kAmplifyingBegins = std::chrono::seconds(10);
+inline constexpr Moment kAmplifyingLasts = std::chrono::seconds(20);
+inline constexpr std::uint64_t kMaxAmplification = 4;
 
 /// All of them. The tests and `./platon bench --attacks` run the same.
 std::span<const Attack> attacks();

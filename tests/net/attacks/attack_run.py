@@ -18,6 +18,7 @@ SETTLE = 4  # seconds until the bots are measured, and the attack begins
 NEWCOMER_SECONDS = 3
 DISTURBED = 20  # per cent of the time; if a program waits longer for a core, the run measures the load of the machine
 ATTEMPTS = 3
+AMPLIFYING_SECONDS = 30  # that an attack lasts that amplifies
 
 
 @dataclass
@@ -28,6 +29,7 @@ class Result:
     sent: int
     dropped: int  # by the system, because the server did not read in time
     answered_ratio: float  # bytes to addresses that had returned no cookie, by bytes of the attack
+    amplification: float | None  # bytes to the attacker, ticks aside, by bytes of an attack that amplifies
     missed: float  # inputs per 1000 ticks
     disconnected: int
     desyncs: int
@@ -53,9 +55,10 @@ class Result:
 class Attack(Program):
     """A process of platon-attack, and the relay in it."""
 
-    def __init__(self, programs, port, name, seconds):
-        super().__init__([programs / "platon-attack", str(port), name, "--seconds", str(seconds)],
+    def __init__(self, programs, port, attack, seconds):
+        super().__init__([programs / "platon-attack", str(port), attack["name"], "--seconds", str(seconds)],
                          stdin=subprocess.PIPE, stdout=subprocess.PIPE)  # fmt: skip
+        self.amplifies = attack["amplifies"]
         self.relay = SimpleNamespace(address=self._line().removeprefix("relay "))
 
     def _line(self):
@@ -108,6 +111,7 @@ def watch(programs, server, attack, players, seconds, port):
         "join": join,
         "sent": sent["sent"],
         "answered_ratio": sent["answeredBytes"] / max(sent["sentBytes"], 1),
+        "amplification": sent["lateReceivedBytes"] / max(sent["lateSentBytes"], 1) if attack.amplifies else None,
         "dropped": drops_at(port) - drops,
         "growth": server.resident_bytes() - memory,
         "cpu": 100 * (after[0][0] - before[0][0]) / passed,
@@ -130,8 +134,9 @@ def _run_once(programs, root, attack, seconds):
         bind = "::1" if attack["ipv6"] else "127.0.0.1"
         server = processes.enter_context(Server(programs, root / LEVEL, PLAYERS, bind=bind))
         port = int(re.search(r":(\d+)$", server.address).group(1))
-        attacker = processes.enter_context(Attack(programs, port, attack["name"], seconds))
-        duration = SETTLE + max(seconds, NEWCOMER_SECONDS + 1) + 1
+        attacker = processes.enter_context(Attack(programs, port, attack, seconds))
+        lasts = AMPLIFYING_SECONDS if attack["amplifies"] else seconds
+        duration = SETTLE + max(lasts, NEWCOMER_SECONDS + 1) + 1
         players = processes.enter_context(bots(programs, attacker.relay, BOTS, duration, SETTLE - 1, 1))
         time.sleep(SETTLE)
         measured = watch(programs, server, attacker, players, seconds, port)

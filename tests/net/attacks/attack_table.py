@@ -7,9 +7,10 @@ JOIN_MS = 2000
 P99_MS = 8
 GROWTH = 1024 * 1024
 REACHED = 99  # per cent
+AMPLIFICATION = 4
 
-HEAD = """| attack | what it does | datagrams | reached, % | answered, % of bytes | missed inputs per 1000 | disconnected | newcomer joins, ms | tick p50 / p99 / longest, ms | memory, KiB | CPU, % |
-|---|---|---|---|---|---|---|---|---|---|---|"""
+HEAD = """| attack | what it does | datagrams | reached, % | answered, % of bytes | amplified, × | missed inputs per 1000 | disconnected | newcomer joins, ms | tick p50 / p99 / longest, ms | memory, KiB | CPU, % |
+|---|---|---|---|---|---|---|---|---|---|---|---|"""
 
 
 def _row(result):
@@ -20,6 +21,7 @@ def _row(result):
         f"{result.sent:,}".replace(",", " "),
         f"{result.reached:.1f}",
         f"{100 * result.answered_ratio:.0f}",
+        "" if result.amplification is None else f"{result.amplification:.1f}",
         f"{result.missed:.2f}",
         f"{result.disconnected}",
         join,
@@ -46,6 +48,8 @@ def _exceeded(result):
         yield f"{name}: {result.disconnected} players disconnected, {result.desyncs} desyncs"
     if result.answered_ratio > 1:
         yield f"{name}: more bytes answered than asked"
+    if (result.amplification or 0) > AMPLIFICATION:
+        yield f"{name}: sent back {result.amplification:.1f} times the bytes of the attacker, more than {AMPLIFICATION}"
 
 
 def _exceeded_with_time(result, quiet):

@@ -24,7 +24,7 @@ from processes import Failure, exit_code_of  # noqa: E402
 
 SECONDS = {"--write": 10, "--quick": 2, "--check": 1}
 COMMAND = "attacks"
-QUIET = {"name": "none", "does": "no attack", "proves": False, "ipv6": False}
+QUIET = {"name": "none", "does": "no attack", "proves": False, "ipv6": False, "amplifies": False}
 
 
 def say(line):

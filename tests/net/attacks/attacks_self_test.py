@@ -12,9 +12,9 @@ from attack_table import exceeded  # noqa: E402
 
 
 def result(name="empty", **changes):
-    values = dict(sent=200000, dropped=0, answered_ratio=0.0, missed=0.0, disconnected=0, desyncs=0, join=90.0, p50=0.2, p99=1.0,
+    values = dict(sent=200000, dropped=0, answered_ratio=0.0, amplification=None, missed=0.0, disconnected=0, desyncs=0, join=90.0, p50=0.2, p99=1.0,
                   longest=2.0, growth=0, cpu=5.0, wait=0.0)  # fmt: skip
-    return Result(attack={"name": name, "does": "nothing", "proves": False, "ipv6": False}, **(values | changes))
+    return Result(attack={"name": name, "does": "nothing", "proves": False, "ipv6": False, "amplifies": False}, **(values | changes))
 
 
 class AttacksTest(unittest.TestCase):
@@ -24,7 +24,7 @@ class AttacksTest(unittest.TestCase):
         return lines[0]
 
     def test_a_result_within_all_limits_exceeds_none(self):
-        at_limits = result(missed=1.0, join=2000.0, p99=8.0, growth=1 << 20, dropped=2000, answered_ratio=1.0)
+        at_limits = result(missed=1.0, join=2000.0, p99=8.0, growth=1 << 20, dropped=2000, answered_ratio=1.0, amplification=4.0)
         self.assertEqual(exceeded([result("none"), at_limits]), [])
 
     def test_each_limit_has_a_sentence(self):
@@ -37,6 +37,7 @@ class AttacksTest(unittest.TestCase):
         self.assertEqual(self.only(growth=3 << 20), "empty: memory grew by 3072 KiB")
         self.assertEqual(self.only(dropped=4000), "empty: only 98.0 % reached the server")
         self.assertEqual(self.only(answered_ratio=1.01), "empty: more bytes answered than asked")
+        self.assertEqual(self.only(amplification=4.1), "empty: sent back 4.1 times the bytes of the attacker, more than 4")
 
     def test_without_timings_only_what_holds_on_any_machine_is_checked(self):
         slow = result(missed=9.0, join=None, p99=99.0, growth=9 << 20, dropped=100000)

@@ -43,6 +43,8 @@ TEST_P(AttackTest, DoesNoHarm) {
     EXPECT_EQ(damage.maxPlayers, 5u);
     EXPECT_LE(damage.bytesToVictims, quiet.bytesToVictims * 101 / 100 + damage.bytesAsVictims);
   }
+  EXPECT_LE(damage.late.received - damage.late.ticks, kMaxAmplification * damage.late.sent);
+  EXPECT_EQ(damage.late.ticks > 0, GetParam().amplifies);
   EXPECT_GT(damage.sent, 0u);
   const std::string reason(GetParam().reason);
   if (!reason.empty()) {

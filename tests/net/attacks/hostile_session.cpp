@@ -5,6 +5,11 @@
 #include "tests/support/transport/raw_content.h"
 
 namespace platon {
+namespace {
+
+constexpr std::uint8_t kNoChannel = 0xff;
+
+}  // namespace
 
 /// A socket that can send in other names.
 class HostileSession::MaskedSocket : public DatagramSocket {
@@ -13,30 +18,38 @@ class HostileSession::MaskedSocket : public DatagramSocket {
 
   std::optional<Datagram> receive(Moment now) override { return own_->receive(now); }
   void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override {
-    mask_ ? network_.send(*mask_, bytes) : own_->send(receiver, bytes, now);
+    if (mask_) return network_.send(*mask_, bytes);
+    if (!left_) own_->send(receiver, bytes, now);
   }
   void flush(Moment now) override { own_->flush(now); }
   void wait(std::chrono::milliseconds timeout) override { own_->wait(timeout); }
   SocketAddress address() const override { return own_->address(); }
   void setMask(const std::optional<SocketAddress>& mask) { mask_ = mask; }
+  void leave() { left_ = true; }
 
  private:
   AttackNetwork& network_;
   std::unique_ptr<DatagramSocket> own_;
   std::optional<SocketAddress> mask_;
+  bool left_ = false;
 };
 
-HostileSession::HostileSession(AttackNetwork& network, const IpAddress& own)
-    : HostileSession(network, std::make_unique<MaskedSocket>(network, own)) {}
+HostileSession::HostileSession(AttackNetwork& network, const IpAddress& own, Receiver receiver)
+    : HostileSession(network, std::make_unique<MaskedSocket>(network, own), std::move(receiver)) {}
 
-HostileSession::HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSocket> socket)
-    : socket_(socket.get()), gate_(std::move(socket), {network.server()}, {}, KeyPair::random()) {}
+HostileSession::HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSocket> socket, Receiver receiver)
+    : socket_(socket.get()),
+      gate_(std::move(socket), {network.server()}, {}, KeyPair::random()),
+      receiver_(std::move(receiver)) {}
 
 HostileSession::~HostileSession() = default;
 
 void HostileSession::step(Moment now) {
   gate_.update(now);
-  while (const std::optional<Bytes> content = gate_.receive(now)) note(*content, now);
+  while (const std::optional<Bytes> content = gate_.receive(now)) {
+    note(*content, now);
+    if (receiver_) receiver_(*content);
+  }
   if (isSealed() && !requested_) {
     requested_ = true;
     send(connectContent(77), now);
@@ -52,7 +65,7 @@ void HostileSession::note(const Bytes& content, Moment now) {
   if ((content[at] & ENET_PROTOCOL_COMMAND_MASK) != ENET_PROTOCOL_COMMAND_VERIFY_CONNECT) return;
   const int number = content[at + 4] << 8 | content[at + 5];
   peer_ = static_cast<std::uint16_t>(number | content[at + 7] << ENET_PROTOCOL_HEADER_SESSION_SHIFT);
-  send(acknowledgeContent(*peer_, 1), now);
+  send(acknowledgeContent(*peer_, 1, kNoChannel, sentTimeOf(content)), now);
 }
 
 void HostileSession::sendFrom(const SocketAddress& name, ByteSpan content, Moment now) {
@@ -60,5 +73,7 @@ void HostileSession::sendFrom(const SocketAddress& name, ByteSpan content, Momen
   send(content, now);
   socket_->setMask(std::nullopt);
 }
+
+void HostileSession::leaveAddress() { socket_->leave(); }
 
 }  // namespace platon

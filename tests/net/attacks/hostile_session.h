@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -12,10 +13,13 @@ namespace platon {
 /// A session of somebody who sends into it what he likes.
 class HostileSession {
  public:
-  HostileSession(AttackNetwork& network, const IpAddress& own);
+  using Receiver = std::function<void(const Bytes& content)>;
+
+  /// `receiver`, if there is one, gets each content that arrives.
+  HostileSession(AttackNetwork& network, const IpAddress& own, Receiver receiver = {});
   ~HostileSession();
 
-  /// Goes on with the handshake, then with that of ENet; drops what else arrives.
+  /// Goes on with the handshake, then with that of ENet.
   void step(Moment now);
   bool isSealed() const { return gate_.state() == ClientGate::State::kOpen; }
   /// The server's number of the connection; nothing before ENet's handshake.
@@ -23,15 +27,18 @@ class HostileSession {
   void send(ByteSpan content, Moment now) { gate_.send(content, now); }
   /// The same in the name of another address.
   void sendFrom(const SocketAddress& name, ByteSpan content, Moment now);
+  /// From now on it sends nothing but in other names, and answers no challenge.
+  void leaveAddress();
 
  private:
   class MaskedSocket;
 
-  HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSocket> socket);
+  HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSocket> socket, Receiver receiver);
   void note(const Bytes& content, Moment now);
 
   MaskedSocket* socket_;
   ClientGate gate_;
+  Receiver receiver_;
   std::optional<std::uint16_t> peer_;
   bool requested_ = false;
 };

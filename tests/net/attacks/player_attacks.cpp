@@ -1,8 +1,12 @@
 #include "tests/net/attacks/player_attacks.h"
 
+#include <span>
 #include <vector>
 
+#include "protocol/transport/enet_check.h"
 #include "tests/net/attacks/hostile_player.h"
+#include "tests/net/attacks/hostile_session.h"
+#include "tests/support/transport/raw_content.h"
 
 namespace platon {
 namespace {
@@ -33,6 +37,110 @@ class PlayerAttack : public Attacker {
  private:
   Manners manners_;
   std::vector<std::unique_ptr<HostilePlayer>> players_;
+};
+
+/// A player who never acknowledges what the server says, but four times a second what it never said, so that it goes on
+/// repeating. He joins again when the server has noticed.
+class FalseAcknowledger {
+ public:
+  /// `roams`: he then sends in the names of others, and does not answer the challenges there.
+  FalseAcknowledger(AttackNetwork& network, const IpAddress& own, bool roams)
+      : network_(network), own_(own), roams_(roams) {}
+
+  void step(Moment now) {
+    if (!session_ || now - since_ >= kLife) begin(now);
+    session_->step(now);
+    if (!session_->peer() || now - spokeAt_ < kInterval) return;
+    spokeAt_ = now;
+    if (!saidHello_) return sayHello(now);
+    if (welcome_) speak(now);
+  }
+
+ private:
+  static constexpr Moment kLife = milliseconds(10500);  // a little more than it lasts if it acknowledges nothing
+  static constexpr Moment kInterval = milliseconds(250);
+  static constexpr std::uint16_t kNeverSent = 40000;
+
+  void begin(Moment now) {
+    saidHello_ = false;
+    welcome_.reset();
+    requested_ = false;
+    since_ = now;
+    session_.emplace(network_, own_, [this](const Bytes& content) { receive(content); });
+  }
+
+  void sayHello(Moment now) {
+    saidHello_ = true;
+    session_->send(reliableContent(*session_->peer(), 1, encode(Hello{})), now);
+  }
+
+  void speak(Moment now) {
+    PlayerInputs inputs{.round = welcome_->round};
+    inputs.hash = 0x5a5a5a5a;
+    inputs.inputs.assign(1, Input{Input::kPresent | Input::kJump});
+    std::vector<Bytes> contents{acknowledgeContent(*session_->peer(), kNeverSent, kReliableChannel, heardAt_),
+                                unsequencedContent(*session_->peer(), encode(inputs))};
+    if (!requested_)
+      contents.push_back(reliableContent(*session_->peer(), 2, encode(LevelRequest{welcome_->levelHash})));
+    const Bytes content = joinedContents(contents);
+    if (!roams_ || !requested_) {
+      session_->send(content, now);
+    } else {
+      session_->leaveAddress();
+      session_->sendFrom(anyStranger(network_, dice_), content, now);
+    }
+    requested_ = true;
+  }
+
+  void receive(const Bytes& content) {
+    const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kServer);
+    if (!commands || content.size() < kCommandAt) return;
+    heardAt_ = sentTimeOf(content);
+    std::size_t others = 0;
+    for (const EnetCommand& command : std::span(commands->commands).first(commands->count)) {
+      const bool isTick = command.command == ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED;
+      others += isTick ? 0 : command.bytes;
+      if (command.command == ENET_PROTOCOL_COMMAND_SEND_RELIABLE)
+        note(ByteSpan(content).subspan(command.offset, command.bytes));
+    }
+    const bool hasTicks = commands->commands[0].offset + others < content.size();
+    if (hasTicks) network_.noteTicks(content.size() + SealedChannel::kOverhead - others);
+  }
+
+  void note(ByteSpan command) {
+    const std::optional<ToClient> message = decodeToClient(command.subspan(sizeof(ENetProtocolSendReliable)));
+    const Welcome* const welcome = message ? std::get_if<Welcome>(&*message) : nullptr;
+    if (welcome != nullptr) welcome_ = *welcome;
+  }
+
+  AttackNetwork& network_;
+  IpAddress own_;
+  bool roams_;
+  std::optional<HostileSession> session_;
+  bool saidHello_ = false;
+  std::optional<Welcome> welcome_;
+  bool requested_ = false;  // the level
+  std::uint16_t heardAt_ = 0;
+  Moment since_{};
+  Moment spokeAt_{};
+  Dice dice_;
+};
+
+/// One of them in each household.
+class FalseAcknowledgers : public Attacker {
+ public:
+  FalseAcknowledgers(AttackNetwork& network, bool roam) {
+    for (int i = 0; i < kOwnHouseholds; ++i) {
+      players_.push_back(std::make_unique<FalseAcknowledger>(network, ownAddress(network.version(), i), roam));
+    }
+  }
+
+  void step(Moment now, int) override {
+    for (const auto& player : players_) player->step(now);
+  }
+
+ private:
+  std::vector<std::unique_ptr<FalseAcknowledger>> players_;
 };
 
 std::unique_ptr<Attacker> attackOf(AttackNetwork& network, Manners manners, std::size_t players) {
@@ -100,6 +208,14 @@ std::unique_ptr<Attacker> acknowledgeNothing(AttackNetwork& network) {
   manners.life = seconds(8);
   manners.deafAfter = milliseconds(300);
   return attackOf(network, manners, kDeaf);
+}
+
+std::unique_ptr<Attacker> acknowledgeFalsely(AttackNetwork& network) {
+  return std::make_unique<FalseAcknowledgers>(network, false);
+}
+
+std::unique_ptr<Attacker> roamHalf(AttackNetwork& network) {
+  return std::make_unique<FalseAcknowledgers>(network, true);
 }
 
 std::unique_ptr<Attacker> sendFarInputs(AttackNetwork& network) {

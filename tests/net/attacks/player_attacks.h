@@ -8,6 +8,8 @@ namespace platon {
 
 /// Attacks of players from four addresses. Each is a row of the table in attacks.cpp.
 std::unique_ptr<Attacker> acknowledgeNothing(AttackNetwork& network);
+std::unique_ptr<Attacker> acknowledgeFalsely(AttackNetwork& network);
+std::unique_ptr<Attacker> roamHalf(AttackNetwork& network);
 std::unique_ptr<Attacker> sendFarInputs(AttackNetwork& network);
 std::unique_ptr<Attacker> sendWrongHashes(AttackNetwork& network);
 std::unique_ptr<Attacker> requestLevels(AttackNetwork& network);

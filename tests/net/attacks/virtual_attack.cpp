@@ -37,6 +37,7 @@ class VirtualAttackNetwork : public AttackNetwork {
 
   void send(const SocketAddress& from, ByteSpan datagram) override {
     ++sent_;
+    noteSent(datagram.size());
     bytesFrom_[from] += datagram.size();
     network_.inject(from, server_, datagram);
   }
@@ -58,7 +59,10 @@ class VirtualAttackNetwork : public AttackNetwork {
   void listen(const DatagramNetwork::Sent& sent) {
     if (isVictim(sent.from)) return note(sent.from, true, sent.bytes);
     if (isVictim(sent.to)) return note(sent.to, false, sent.bytes);
-    if (own_.contains(sent.from)) ++sent_;
+    if (own_.contains(sent.to) || bytesFrom_.contains(sent.to)) noteReceived(sent.bytes.size());
+    if (!own_.contains(sent.from)) return;
+    ++sent_;
+    noteSent(sent.bytes.size());
   }
 
   DatagramNetwork& network_;
@@ -130,7 +134,9 @@ class Scene {
     missedBefore_ = sumOf(&HonestPlayer::missedInputs);
     victimBytesBefore_ = bytesToVictims();
     server_.resetHeap();
-    if (attack != nullptr) attacker_ = attack->start(attackNetwork_);
+    if (attack == nullptr) return;
+    attacker_ = attack->start(attackNetwork_);
+    amplifies_ = attack->amplifies;
   }
 
   Damage run() {
@@ -141,6 +147,7 @@ class Scene {
       step();
       if (!damage_.joinTime && players_.back().hasJoined()) damage_.joinTime = now_ - since;
     }
+    if (amplifies_) amplify();
     return conclude();
   }
 
@@ -154,6 +161,13 @@ class Scene {
 
   void run(Moment duration) {
     for (const Moment end = now_ + duration; now_ < end;) step();
+  }
+
+  void amplify() {
+    run(kAmplifyingBegins - kAttack);
+    const Exchange before = attackNetwork_.exchange();
+    run(kAmplifyingLasts);
+    damage_.late = attackNetwork_.exchange() - before;
   }
 
   void step() {
@@ -224,6 +238,7 @@ class Scene {
   VirtualAttackNetwork attackNetwork_;
   std::deque<HonestPlayer> players_;
   std::unique_ptr<Attacker> attacker_;
+  bool amplifies_ = false;
   std::uint64_t ticksBefore_ = 0;
   std::uint64_t missedBefore_ = 0;
   std::uint64_t victimBytesBefore_ = 0;

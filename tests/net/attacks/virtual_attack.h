@@ -24,6 +24,7 @@ struct Damage {
   std::uint64_t bytesAsVictims = 0;               ///< from the attacker in their names
   std::uint64_t heldPlaces = 0;                   ///< sessions that ended without having served a connection
   std::uint64_t sent = 0;                         ///< datagrams of the attacker
+  Exchange late;                                  ///< of an attack that amplifies, from kAmplifyingBegins on
   std::map<std::string, std::uint64_t> rejected;  ///< by reason
 };
 

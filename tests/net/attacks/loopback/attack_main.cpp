@@ -28,9 +28,10 @@ constexpr const char* kUsage =
     "Attacks the server at 127.0.0.1:PORT, from other addresses of 127.0.0.0/8, with N datagrams a second (20000 by\n"
     "default). Attacks over IPv6 go from fd00::/16 to [::1]:PORT. Prints `relay ADDRESS`, through which honest "
     "players\n"
-    "join, and attacks for S seconds after a line on standard input. Then it prints one JSON object, and relays until\n"
-    "standard input ends. The attack `none` sends\n"
-    "nothing. --list prints all attacks, one JSON object a line.\n";
+    "join, and attacks for S seconds after a line on standard input; for 30 if it amplifies. Then it prints one JSON\n"
+    "object, and relays until standard input ends. The attack `none` sends nothing. --list prints all attacks, one "
+    "JSON\n"
+    "object a line.\n";
 
 constexpr int kFailed = 1;
 constexpr int kUsageError = 2;
@@ -96,8 +97,12 @@ class Run {
     std::fflush(stdout);
     if (!waitForInput()) return 0;
     attack();
-    std::printf("{\"sent\":%llu,\"sentBytes\":%llu,\"answeredBytes\":%llu}\n", number(network_.sent()),
-                number(network_.sentBytes()), number(network_.answeredBytes()));
+    const Exchange& all = network_.exchange();
+    const Exchange late = all - early_;
+    std::printf(
+        "{\"sent\":%llu,\"sentBytes\":%llu,\"answeredBytes\":%llu,\"lateSentBytes\":%llu,\"lateReceivedBytes\":%llu}\n",
+        number(network_.sent()), number(all.sent), number(network_.answeredBytes()), number(late.sent),
+        number(late.received - late.ticks));
     std::fflush(stdout);
     while (waitForInput()) {
     }
@@ -120,12 +125,19 @@ class Run {
 
   void attack() {
     const std::unique_ptr<Attacker> attacker = options_.attack == nullptr ? nullptr : options_.attack->start(network_);
+    const bool amplifies = options_.attack != nullptr && options_.attack->amplifies;
+    attack(attacker.get(), amplifies ? kAmplifyingBegins : std::chrono::seconds(options_.seconds));
+    early_ = network_.exchange();
+    if (amplifies) attack(attacker.get(), kAmplifyingLasts);
+  }
+
+  void attack(Attacker* attacker, Moment duration) {
     const Moment begun = clock_.now();
     const auto perStep = static_cast<int>(options_.rate * kStep / std::chrono::seconds(1));
     Moment stepped = begun;
-    for (Moment now = begun; now - begun < std::chrono::seconds(options_.seconds); now = clock_.now()) {
+    for (Moment now = begun; now - begun < duration; now = clock_.now()) {
       stepped = std::max(stepped, now - kMaxStepsAtOnce * kStep);
-      for (; stepped < now && attacker; stepped += kStep) attacker->step(now, perStep);
+      for (; stepped < now && attacker != nullptr; stepped += kStep) attacker->step(now, perStep);
       pump();
     }
   }
@@ -137,14 +149,17 @@ class Run {
 
   Options options_;
   LoopbackAttackNetwork network_;
+  Exchange early_;  // before an amplifying attack is measured
   Clock clock_ = steadyClock();
 };
 
+const char* word(bool value) { return value ? "true" : "false"; }
+
 int list() {
   for (const Attack& attack : attacks()) {
-    std::printf("{\"name\":\"%s\",\"does\":\"%s\",\"proves\":%s,\"ipv6\":%s}\n", std::string(attack.name).c_str(),
-                std::string(attack.does).c_str(), attack.proves ? "true" : "false",
-                attack.version == IpVersion::kIpv6 ? "true" : "false");
+    std::printf("{\"name\":\"%s\",\"does\":\"%s\",\"proves\":%s,\"ipv6\":%s,\"amplifies\":%s}\n",
+                std::string(attack.name).c_str(), std::string(attack.does).c_str(), word(attack.proves),
+                word(attack.version == IpVersion::kIpv6), word(attack.amplifies));
   }
   return 0;
 }

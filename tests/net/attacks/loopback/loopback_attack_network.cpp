@@ -16,7 +16,11 @@ class LoopbackAttackNetwork::CountingSocket : public DatagramSocket {
  public:
   CountingSocket(LoopbackAttackNetwork& network, const IpAddress& own) : network_(network), socket_(own.text(), 0) {}
 
-  std::optional<Datagram> receive(Moment now) override { return socket_.receive(now); }
+  std::optional<Datagram> receive(Moment now) override {
+    const std::optional<Datagram> datagram = socket_.receive(now);
+    if (datagram) network_.noteReceived(datagram->bytes.size());
+    return datagram;
+  }
   void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override {
     network_.count(bytes);
     socket_.send(receiver, bytes, now);
@@ -35,7 +39,7 @@ LoopbackAttackNetwork::LoopbackAttackNetwork(const SocketAddress& server)
 
 void LoopbackAttackNetwork::count(ByteSpan datagram) {
   ++sent_;
-  sentBytes_ += datagram.size();
+  noteSent(datagram.size());
 }
 
 void LoopbackAttackNetwork::send(const SocketAddress& from, ByteSpan datagram) {
@@ -71,7 +75,10 @@ void LoopbackAttackNetwork::pump() {
       relay_.send(player->own, datagram->bytes);
     }
   }
-  while (const auto datagram = strangers_.receive()) answeredBytes_ += datagram->bytes.size();
+  while (const auto datagram = strangers_.receive()) {
+    answeredBytes_ += datagram->bytes.size();
+    noteReceived(datagram->bytes.size());
+  }
 }
 
 }  // namespace platon

@@ -24,9 +24,8 @@ class LoopbackAttackNetwork : public AttackNetwork {
   /// Relays what has arrived, and reads the answers to the attacker's datagrams.
   void pump();
 
-  /// Datagrams and bytes that the attacker has sent, and bytes that came for addresses that answer nothing.
+  /// Datagrams that the attacker has sent, and bytes that came for addresses that answer nothing.
   std::uint64_t sent() const { return sent_; }
-  std::uint64_t sentBytes() const { return sentBytes_; }
   std::uint64_t answeredBytes() const { return answeredBytes_; }
 
  private:
@@ -45,7 +44,6 @@ class LoopbackAttackNetwork : public AttackNetwork {
   std::map<SocketAddress, std::unique_ptr<Player>> players_;  // by own address
   std::map<SocketAddress, Player*> victims_;                  // by the address that the server knows
   std::uint64_t sent_ = 0;
-  std::uint64_t sentBytes_ = 0;
   std::uint64_t answeredBytes_ = 0;
 };
 
