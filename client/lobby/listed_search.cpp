@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/label.h"
+
 namespace platon {
 namespace {
 
@@ -32,6 +34,7 @@ std::string ListedSearch::add(const ListedServer& server, const SocketAddress& a
   if (neighbours >= kMaxPerHousehold)
     return "the list has " + std::to_string(kMaxPerHousehold) + " others in its household";
   targets_.push_back({server, address});
+  targets_.back().listed.name = visibleLabel(server.name);
   return {};
 }
 

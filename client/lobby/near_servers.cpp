@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "client/lobby/own_addresses.h"
+#include "protocol/label.h"
 #include "protocol/limits.h"
 #include "protocol/transport/udp_socket.h"
 
@@ -31,8 +32,9 @@ void NearServers::search(Moment now) {
 }
 
 void NearServers::take(const Datagram& datagram, Moment now) {
-  const std::optional<Info> info = decodeInfo(datagram.bytes);
+  std::optional<Info> info = decodeInfo(datagram.bytes);
   if (!info || info->nonce != nonce_ || !searchedAt_) return;
+  info->name = visibleLabel(info->name);
   const auto known = std::find_if(found_.begin(), found_.end(), [&](const NearServer& server) {
     return server.info.identity == info->identity && server.address.port == datagram.peer.port;
   });

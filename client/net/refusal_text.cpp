@@ -1,5 +1,6 @@
 #include "client/net/refusal_text.h"
 
+#include "protocol/label.h"
 #include "protocol/limits.h"
 
 namespace platon {
@@ -11,6 +12,10 @@ std::string versionText(std::uint32_t server) {
   return versions + (server > kProtocolVersion ? ": update this program" : ": the server must be updated");
 }
 
+std::string bannedText(const std::string& reason) {
+  return reason.empty() ? "you are banned from this server" : reason;
+}
+
 Connection::Refused explain(const Refusal& refusal) {
   switch (refusal.reason) {
     case RefusalReason::kWrongVersion:
@@ -20,7 +25,7 @@ Connection::Refused explain(const Refusal& refusal) {
     case RefusalReason::kAddress:
       return {"the server does not allow more connections from your address", false};
     case RefusalReason::kBanned:
-      return {refusal.text.empty() ? "you are banned from this server" : refusal.text, true};
+      return {bannedText(visibleLabel(refusal.text)), true};
     case RefusalReason::kPassword:
       return {"the password is wrong", true, true};
   }

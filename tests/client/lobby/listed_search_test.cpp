@@ -172,5 +172,16 @@ TEST_F(ListedSearchTest, ASilentServerGivesUpItsPlaceToANewOne) {
   EXPECT_EQ(search_.list().back().listed.address.host, "203.0.113.1");
 }
 
+TEST_F(ListedSearchTest, OfANameIsShownWhatCanBeSeen) {
+  CryptoKey secret{};
+  secret.fill(1);
+  const ListedServer server =
+      listedServer(ServerIdentity(secret), parseServerAddress("198.51.100.1:7777"), "\u200bE\u0301\u0302\u0303  x");
+  EXPECT_EQ(search_.add(server, addressAt("198.51.100.1", 7777)), "");
+  letPass(100ms, true);
+  ASSERT_EQ(search_.list().size(), 1U);
+  EXPECT_EQ(search_.list()[0].listed.name, "E\u0301\u0302 x");
+}
+
 }  // namespace
 }  // namespace platon::listed_search_test

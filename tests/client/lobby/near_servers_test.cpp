@@ -27,13 +27,14 @@ class NearServersTest : public testing::Test {
     info.identity[0] = identity;
     info.players = players;
     info.maxPlayers = 8;
-    info.name = "Den";
+    info.name = name_;
     network_.inject(from, own_, encode(info));
   }
 
   const SocketAddress own_ = addressAt("192.0.2.1", 5000);
   const SocketAddress all_ = addressAt("192.0.2.255", 7777);
   const SocketAddress one_ = addressAt("192.0.2.2", 7777);
+  std::string name_ = "Den";
   DatagramNetwork network_;
   NearServers servers_{network_.socket(own_), {all_, addressAt("127.0.0.1", 7777)}, 42};
 };
@@ -58,6 +59,19 @@ TEST_F(NearServersTest, ListsWhoAnswersWithTheTimeThatItTook) {
   EXPECT_EQ(servers_.list()[0].address, one_);
   EXPECT_EQ(describe(servers_.list()[0]), "1/8 players, 3 ms");
   EXPECT_EQ(textOf(servers_.list()), "192.0.2.2:7777          1/8 players, 3 ms               Den\n");
+}
+
+// Such a name was a blank.
+TEST_F(NearServersTest, OfANameIsShownWhatCanBeSeen) {
+  servers_.update(kNow);
+  name_ = " D\u200ben \u202f";
+  answer(1, one_);
+  name_ = "\u200b";
+  answer(2, one_);
+  servers_.update(kNow + 3ms);
+  ASSERT_EQ(servers_.list().size(), 2U);
+  EXPECT_EQ(servers_.list()[0].info.name, "Den");
+  EXPECT_EQ(servers_.list()[1].info.name, "");
 }
 
 TEST_F(NearServersTest, OneServerIsListedOnceHoweverManyOfItsAddressesAnswer) {

@@ -37,6 +37,7 @@ TEST(RefusalText, EveryReasonHasItsSentence) {
   EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kPassword).reason, "the password is wrong");
   EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kBanned, "banned for a day").reason, "banned for a day");
   EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kBanned).reason, "you are banned from this server");
+  EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kBanned, "\u200b").reason, "you are banned from this server");
   EXPECT_FALSE(refusedWith(kProtocolVersion, RefusalReason::kFull).permanent);
   EXPECT_FALSE(refusedWith(kProtocolVersion, RefusalReason::kAddress).permanent);
 }
