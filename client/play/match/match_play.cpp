@@ -90,17 +90,19 @@ MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, 
                levelStore(options, server), runs_},
               now),
       hasRival_(!rival.empty()),
-      desyncFolder_(desyncFolder()) {}
+      desyncFolder_(desyncFolder()),
+      lines_(now) {}
 
 void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
-  reportDesync();
-  reportOutage();
+  reportDesync(now);
+  reportOutage(now);
   reportRuns();
   takeNotice(now);
   takeChats(now);
   saveToken();
   rememberServer();
+  lines_.update(now);
 }
 
 // `KnownServers::remember` looks into its file, so once is enough.
@@ -111,18 +113,14 @@ void MatchPlay::rememberServer() {
   serverRemembered_ = true;
 }
 
-void MatchPlay::reportDesync() {
-  const auto desync = client_.takeDesync();
-  if (desync) std::fprintf(stderr, "platon-client: %s\n", desyncFolder_.write(*desync).c_str());
+void MatchPlay::reportDesync(Moment now) {
+  if (const auto desync = client_.takeDesync()) lines_.add(desyncFolder_.write(*desync), now);
 }
 
-void MatchPlay::reportOutage() {
+void MatchPlay::reportOutage(Moment now) {
   if (client_.outage() == reportedOutage_) return;
   reportedOutage_ = client_.outage();
-  if (reportedOutage_)
-    std::fprintf(stderr, "platon-client: %s; reconnecting\n", reportedOutage_->c_str());
-  else
-    std::fprintf(stderr, "platon-client: reconnected\n");
+  lines_.add(reportedOutage_ ? *reportedOutage_ + "; reconnecting" : "reconnected", now);
 }
 
 void MatchPlay::reportRuns() {
@@ -154,7 +152,7 @@ void MatchPlay::takeNotice(Moment now) {
   if (!notice) return;
   notice_ = std::move(*notice);
   noticeUntil_ = now + kNoticeTime;
-  std::fprintf(stderr, "platon-client: the server says: %s\n", notice_.c_str());
+  lines_.add("the server says: " + notice_, now);
 }
 
 void MatchPlay::saveToken() {
@@ -203,7 +201,8 @@ void MatchPlay::leave(const Clock& clock) {
   // During an outage the Leave message would not arrive; the saved token can still resume the player.
   if (!client_.outage()) sessionFile_.forget();
   client_.leave();
-  reportDesync();
+  reportDesync(clock.now());
+  lines_.tell();
   runs_->store();  // waits for the last run
   reportRuns();
   const auto update = [this](Moment now) { client_.update(now, [](const Game&, std::uint32_t) { return Input{}; }); };

@@ -13,6 +13,7 @@
 #include "client/lobby/known_servers.h"
 #include "client/play/client_options.h"
 #include "client/play/match/scene_feed.h"
+#include "client/play/match/server_lines.h"
 #include "client/replay/run_keeper.h"
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"
@@ -70,8 +71,8 @@ class MatchPlay {
   const NetworkClient& client() const { return client_; }
 
  private:
-  void reportDesync();
-  void reportOutage();
+  void reportDesync(Moment now);
+  void reportOutage(Moment now);
   void reportRuns();
   void takeNotice(Moment now);
   void takeChats(Moment now);
@@ -96,6 +97,7 @@ class MatchPlay {
   DesyncFolder desyncFolder_;
   std::optional<Scene> lastScene_;
   std::optional<std::string> reportedOutage_;
+  ServerLines lines_;
   std::string notice_;  // the newest one
   Moment noticeUntil_{};
 };

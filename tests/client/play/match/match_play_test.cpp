@@ -282,5 +282,23 @@ TEST_F(MatchPlayTest, JoinsNoServerWhileAKnownKeyIsDamaged) {
   }
 }
 
+// Each was a line: 50 KB a second.
+TEST_F(MatchPlayTest, AServerThatSaysSomethingInEveryFrameFillsNoDisk) {
+  connect(LinkQuality());
+  ASSERT_TRUE(updateUntil(seconds(10), [&] { return play_->scene(server_.clock().now()).has_value(); }));
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 40; ++i) {
+    const std::string text = "number " + std::to_string(i);
+    server_.server().match().say(text);
+    EXPECT_TRUE(updateUntil(seconds(1), [&] { return isInPicture(text); }));
+  }
+  play_->leave(server_.clock());
+  const std::string written = testing::internal::GetCapturedStderr();
+  const auto lines = std::count(written.begin(), written.end(), '\n');
+  EXPECT_GE(lines, 11);
+  EXPECT_LE(lines, 20);
+  EXPECT_NE(written.find(" lines about the server left out: it causes too many\n"), std::string::npos) << written;
+}
+
 }  // namespace
 }  // namespace platon::match_play_test
