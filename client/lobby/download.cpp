@@ -2,12 +2,17 @@
 
 #include <curl/curl.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "platon_version.h"
-#include "protocol/transport/socket_address.h"
+#include "protocol/transport/system_address.h"
 
 namespace platon {
 namespace {
@@ -20,8 +25,37 @@ struct Transfer {
   std::string content;
   std::size_t maxBytes = 0;
   std::stop_token stop;
+  std::function<bool(const IpAddress&, const IpAddress&)> mayLead;
+  CURL* curl = nullptr;
+  std::vector<IpAddress> origins{};      // of the URL; curl tries several when one does not answer
+  std::optional<IpAddress> forbidden{};  // where a redirection wanted to lead
   bool tooLong = false;
 };
+
+bool isOwn(const IpAddress& ip) {
+  return ip.isThisMachine() || ip == IpAddress{} || (ip.isIpv4() && ip.ipv4()[0] == 0);
+}
+
+bool allows(Transfer& transfer, const IpAddress& ip) {
+  long redirections = 0;
+  curl_easy_getinfo(transfer.curl, CURLINFO_REDIRECT_COUNT, &redirections);
+  if (redirections == 0) {
+    transfer.origins.push_back(ip);
+    return true;
+  }
+  const bool may = std::all_of(transfer.origins.begin(), transfer.origins.end(),
+                               [&](const IpAddress& origin) { return transfer.mayLead(origin, ip); });
+  if (!may) transfer.forbidden = ip;
+  return may;
+}
+
+// Called by curl before it connects.
+curl_socket_t openSocket(void* transfer, curlsocktype, curl_sockaddr* address) {
+  SystemAddress system{};
+  std::memcpy(&system, &address->addr, std::min<std::size_t>(address->addrlen, sizeof system));
+  if (!allows(*static_cast<Transfer*>(transfer), fromSystem(system).ip)) return CURL_SOCKET_BAD;
+  return socket(address->family, address->socktype | SOCK_CLOEXEC, address->protocol);
+}
 
 // Called by curl with `count` bytes; another result than `count` ends the transfer.
 std::size_t take(const char* bytes, std::size_t size, std::size_t count, void* transfer) {
@@ -60,6 +94,8 @@ void describe(CURL* curl, const std::string& url, Transfer& transfer, char* reas
   curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, kConnectTimeout);
   curl_easy_setopt(curl, CURLOPT_USERAGENT, ("platon-client/" + std::string(kVersion)).c_str());
   curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, reason);
+  curl_easy_setopt(curl, CURLOPT_OPENSOCKETFUNCTION, openSocket);
+  curl_easy_setopt(curl, CURLOPT_OPENSOCKETDATA, &transfer);
   curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, take);
   curl_easy_setopt(curl, CURLOPT_WRITEDATA, &transfer);
   curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
@@ -69,16 +105,26 @@ void describe(CURL* curl, const std::string& url, Transfer& transfer, char* reas
 
 }  // namespace
 
-std::string download(const std::string& url, std::size_t maxBytes, const std::stop_token& stop) {
+bool mayRedirect(const IpAddress& from, const IpAddress& to) {
+  if (isOwn(to)) return isOwn(from);
+  return from.isPrivate() || !to.isPrivate();
+}
+
+std::string download(const std::string& url, std::size_t maxBytes, const std::stop_token& stop,
+                     std::function<bool(const IpAddress& from, const IpAddress& to)> mayLead) {
   startCurl();
   const std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl(curl_easy_init(), curl_easy_cleanup);
   if (!curl) throw DownloadError("libcurl does not start");
-  Transfer transfer{{}, maxBytes, stop};
+  Transfer transfer{{}, maxBytes, stop, std::move(mayLead), curl.get()};
   std::array<char, CURL_ERROR_SIZE> reason{};
   describe(curl.get(), url, transfer, reason.data());
   const CURLcode result = curl_easy_perform(curl.get());
   if (transfer.tooLong) throw DownloadError("it has more than " + std::to_string(maxBytes) + " bytes");
   if (stop.stop_requested()) throw DownloadError("stopped");
+  if (transfer.forbidden) {
+    throw DownloadError("it leads to " + transfer.forbidden->text() +
+                        ", an address of this machine or of a private network, and does not come from there");
+  }
   if (result != CURLE_OK) throw DownloadError(reason[0] != '\0' ? reason.data() : curl_easy_strerror(result));
   return std::move(transfer.content);
 }

@@ -13,6 +13,9 @@ constexpr std::array<std::uint8_t, kIpv4Offset> kIpv4Prefix = {0, 0, 0, 0, 0, 0,
 constexpr std::array<std::uint8_t, kIpv4Offset> kTranslatedPrefix = {0, 0x64, 0xff, 0x9b};
 constexpr std::size_t kHouseholdBytes = 8;
 
+// fe80::/10
+bool isLinkLocal(const std::array<std::uint8_t, 16>& bytes) { return bytes[0] == 0xfe && (bytes[1] & 0xc0) == 0x80; }
+
 }  // namespace
 
 std::optional<IpAddress> IpAddress::parse(std::string_view text) {
@@ -49,6 +52,14 @@ bool IpAddress::isLoopback() const {
 }
 
 bool IpAddress::isThisMachine() const { return isLoopback() || (isIpv4() && ipv4()[0] == 127); }
+
+bool IpAddress::isPrivate() const {
+  if (!holdsIpv4()) return isLoopback() || *this == IpAddress{} || (bytes[0] & 0xfe) == 0xfc || isLinkLocal(bytes);
+  const std::uint8_t first = bytes[kIpv4Offset];
+  const std::uint8_t second = bytes[kIpv4Offset + 1];
+  return first == 0 || first == 10 || first == 127 || (first == 100 && (second & 0xc0) == 64) ||
+         (first == 169 && second == 254) || (first == 172 && (second & 0xf0) == 16) || (first == 192 && second == 168);
+}
 
 // The prefix of an IPv4 address is 0:ffff, which no network has as the first half of its IPv6 addresses.
 std::uint64_t IpAddress::household() const {

@@ -28,6 +28,9 @@ struct IpAddress {
   bool isLoopback() const;
   /// 127.0.0.0/8 or ::1: only this machine can have the address. It may have others that are not recognised.
   bool isThisMachine() const;
+  /// Whether the internet does not lead to the address: it is one of this machine, of its link, of a private network,
+  /// or of a provider's translator, or 0.0.0.0/8 or ::, which lead to this machine.
+  bool isPrivate() const;
   /// Number of the part that one household or host controls: all of an IPv4 address, also of one that an IPv6 address
   /// holds; the first 64 bits of another IPv6 address. 0 for loopback.
   std::uint64_t household() const;

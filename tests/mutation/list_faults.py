@@ -6,6 +6,10 @@ LIST = "protocol/transport/server_list.cpp"
 SEARCH = "client/lobby/listed_search.cpp"
 
 LIST_FAULTS = [
+    at_length("redirected-into-the-network", "client/lobby/download.cpp",
+              "if (redirections == 0) {", "if (redirections >= 0) {",
+              "a web server makes those who read its list ask other machines of their network",
+              "DownloadTest.LeadsOnlyWhereItMay"),
     Fault("list-without-signatures", LIST,
           "!isSignature(*signature, signedText(server.address, server.name), *key)", "signedText(server.address, "
           "server.name).empty()",

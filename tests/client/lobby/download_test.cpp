@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <vector>
+
 #include "tests/client/lobby/web_server.h"
 
 namespace platon::download_test {
@@ -49,6 +52,51 @@ TEST(DownloadTest, LeavesTheWebForNothing) {
     return std::string("HTTP/1.1 302 Found\r\nLocation: /again\r\nContent-Length: 0\r\n\r\n");
   });
   EXPECT_THAT(faultOf(round.url()), HasSubstr("redirects"));
+}
+
+TEST(DownloadTest, TheInternetLeadsToNoPrivateAddressAndANetworkNotToThisMachine) {
+  const auto ip = [](const char* text) { return *IpAddress::parse(text); };
+  const std::vector<const char*> kOwn{"127.0.0.1", "127.8.8.8", "::1", "0.0.0.0", "::"};
+  const std::vector<const char*> kNear{"192.168.1.1", "10.0.0.1", "fd00::1", "169.254.1.1"};
+  const std::vector<const char*> kFar{"198.51.100.1", "2001:db8::1"};
+  const std::vector<std::vector<const char*>> kinds{kOwn, kNear, kFar};
+  for (std::size_t from = 0; from < kinds.size(); ++from) {
+    for (std::size_t to = 0; to < kinds.size(); ++to) {
+      for (const char* const source : kinds[from]) {
+        for (const char* const target : kinds[to])
+          EXPECT_EQ(mayRedirect(ip(source), ip(target)), to >= from) << source << " to " << target;
+      }
+    }
+  }
+}
+
+// It made the client ask any port of the player's own machine.
+TEST(DownloadTest, LeadsOnlyWhereItMay) {
+  std::atomic<int> asked = 0;
+  const WebServer target([&](std::string_view) {
+    ++asked;
+    return WebServer::ok("secret");
+  });
+  const WebServer sly([&](std::string_view) {
+    return "HTTP/1.1 302 Found\r\nLocation: " + target.url("/delete") + "\r\nContent-Length: 0\r\n\r\n";
+  });
+  EXPECT_EQ(download(sly.url(), 1000), "secret") << "this machine may lead to itself";
+  EXPECT_EQ(asked, 1);
+  const auto never = [](const IpAddress& from, const IpAddress& to) {
+    EXPECT_EQ(from, IpAddress::parse("127.0.0.1"));
+    EXPECT_EQ(to, IpAddress::parse("127.0.0.1"));
+    return false;
+  };
+  EXPECT_EQ(download(target.url(), 1000, {}, never), "secret") << "the URL itself may be anywhere";
+  try {
+    download(sly.url(), 1000, {}, never);
+    ADD_FAILURE() << "it was followed";
+  } catch (const DownloadError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "it leads to 127.0.0.1, an address of this machine or of a private network, and does not come from there");
+  }
+  EXPECT_EQ(asked, 2);
 }
 
 // Before, the reason was that of a connection that the server had closed after an answer.

@@ -71,6 +71,28 @@ TEST(IpAddress, AnAddressThatATranslatorMakesOfAnIpv4AddressCountsAsThisOne) {
   }
 }
 
+TEST(IpAddress, TheInternetDoesNotLeadToAPrivateAddress) {
+  for (const char* text : {"0.0.0.0",          "0.1.2.3",         "10.0.0.0",   "10.255.255.255",
+                           "127.0.0.1",        "127.255.255.255", "100.64.0.0", "100.127.255.255",
+                           "169.254.0.0",      "169.254.255.255", "172.16.0.0", "172.31.255.255",
+                           "192.168.0.0",      "192.168.255.255", "::",         "::1",
+                           "fc00::",           "fdff:ffff::1",    "fe80::1",    "febf::1",
+                           "64:ff9b::10.1.2.3"})
+    EXPECT_TRUE(ip(text).isPrivate()) << text;
+  for (const char* text : {"1.0.0.0",     "9.255.255.255",
+                           "11.0.0.0",    "126.255.255.255",
+                           "128.0.0.0",   "100.63.255.255",
+                           "100.128.0.0", "169.253.255.255",
+                           "169.255.0.0", "172.15.255.255",
+                           "172.32.0.0",  "192.167.255.255",
+                           "192.169.0.0", "::2",
+                           "fbff::1",     "fe00::1",
+                           "fe7f::1",     "fec0::1",
+                           "2001:db8::1", "64:ff9b::192.0.2.1",
+                           "a00::1"})
+    EXPECT_FALSE(ip(text).isPrivate()) << text;
+}
+
 TEST(SocketAddress, ItsTextHasBracketsAroundIpv6) {
   EXPECT_EQ((SocketAddress{ip("192.0.2.1"), 7777}.text()), "192.0.2.1:7777");
   EXPECT_EQ((SocketAddress{ip("2001:db8::1"), 7777}.text()), "[2001:db8::1]:7777");
