@@ -16,7 +16,7 @@ ReplayEntry entryOf(const ListedRun& run) {
   std::string unnamed = run.isRead ? "Level without a title" : "…";
   if (!run.note.empty()) unnamed = run.file.filename().string();
   const std::string title = run.level && !run.level->title.empty() ? run.level->title : unnamed;
-  return {title, run.time, run.date, run.who, run.isBest, run.note};
+  return {title, run.time, run.date, run.who, run.isBest, run.note, run.noRun};
 }
 
 // As people write it: below the home folder with a tilde.

@@ -16,6 +16,7 @@ struct ListedRun {
   std::string time{};                    ///< `12.34 s`; empty: it is no run, or the time is not known
   std::string date{};                    ///< in UTC, `2026-12-01`; empty: unknown
   std::string note{};                    ///< why it cannot be played; empty: it can, as far as is known
+  std::string noRun{};                   ///< why it shows no run; empty: it does, or that is not known
   std::string who{};                     ///< whose it is; empty: the player's own
   bool isBest = false;                   ///< the shortest one of own games on a level by the present rules
   bool isRead = false;                   ///< nothing more becomes known

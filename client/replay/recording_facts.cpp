@@ -58,7 +58,11 @@ void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending,
   if (!agrees) facts.note = kDamagedEnd;
   if (!agrees) return;
   const auto run = ending.run->finish(before, game);
-  if (const auto* const finish = std::get_if<RunFinish>(&run)) facts.ticks = finish->ticks;
+  if (const auto* const finish = std::get_if<RunFinish>(&run)) {
+    facts.ticks = finish->ticks;
+  } else {
+    facts.noRun = std::get<std::string>(run);
+  }
 }
 
 }  // namespace

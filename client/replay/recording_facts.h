@@ -18,6 +18,7 @@ struct RecordingFacts {
   std::optional<std::uint32_t> ticks{};  ///< the time of the run; nothing: it is none, or it cannot be played
   std::string note{};                    ///< why it cannot be played, as the end of a sentence; empty: as far as known,
                                          ///< it can
+  std::string noRun{};                   ///< why it shows no run, likewise; empty: it does, or cannot be played
 };
 
 /// Reads all blocks of a recording, but plays only the last one with ticks: that gives the time of a run. So a

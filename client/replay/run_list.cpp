@@ -74,6 +74,7 @@ void RunList::fill() {
     if (facts == nullptr) continue;
     run.level = facts->level;
     run.note = facts->note;
+    run.noRun = facts->noRun;
     run.isRead = true;
     if (!run.who.empty() || run.note.empty()) run.time = facts->ticks ? finishTextOf(*facts->ticks) : "";
   }

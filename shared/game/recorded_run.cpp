@@ -92,9 +92,8 @@ std::string RecordedRun::faultOf(std::uint32_t runner, std::uint32_t startedAt) 
     if (!rest) rest.emplace(start_.sharedLevel());
     if (rest->ticksTo(start_, slot)) continue;
     return slot == runner
-               ? "is no run: at its beginning the player is neither absent nor at rest at the start of the level"
-               : "is no run: at its beginning another player is not at rest at the start of the level, where doors are "
-                 "opened for all";
+               ? "is no run: its player does not begin at the start of the level, at rest"
+               : "is no run: another player, who can open doors, does not begin at the start of the level, at rest";
   }
   if (start_.openDoors() == 0) return {};
   if (!rest) rest.emplace(start_.sharedLevel());

@@ -16,7 +16,8 @@ struct ReplayEntry {
   std::string date{};
   std::string who{};    ///< whose run it is; empty: the player's own
   bool isBest = false;  ///< of the player's own runs on this level
-  std::string note{};   ///< why it cannot be played, a sentence; empty: it can
+  std::string note{};   ///< why it cannot be played, the end of a sentence; empty: it can
+  std::string noRun{};  ///< why it shows no run, likewise; empty: it does
 };
 
 /// The list of recordings: the player's own runs, then those of others, in this order in `entries`. An empty list says

@@ -20,8 +20,8 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
   // The path comes last: it may be longer than the page.
   if (!fault.empty()) {
     page.notes = {sentenceOf(entry), fault, file};
-  } else if (!entry.note.empty()) {
-    page.notes = {sentenceOf(entry), "It " + entry.note + ".", file};
+  } else if (const std::string& why = entry.note.empty() ? entry.noRun : entry.note; !why.empty()) {
+    page.notes = {sentenceOf(entry), "It " + why + ".", file};
   } else {
     page.notes = {sentenceOf(entry), "To share it, send this file. A friend drops it on the window of the game.", file};
   }

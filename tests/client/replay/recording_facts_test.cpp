@@ -58,6 +58,7 @@ TEST_F(RecordingFactsTest, TheTimesAreThoseOfTheWholePlay) {
 TEST_F(RecordingFactsTest, ARoundHasNoTime) {
   const RecordingFacts facts = factsOf(recordGame(100, 60).recording);
   EXPECT_EQ(facts.ticks, std::nullopt);
+  EXPECT_EQ(facts.noRun, "is no run: it does not end with a player at the goal");
   EXPECT_EQ(facts.note, "");
 }
 

@@ -80,6 +80,7 @@ TEST_F(RunListTest, AnOwnFileThatShowsNoRunHasNoTimeAndIsNotTheBest) {
   for (const ListedRun& run : list_.runs()) {
     EXPECT_EQ(run.time, run.file == forged ? "" : time());
     EXPECT_EQ(run.isBest, run.file != forged);
+    EXPECT_EQ(run.noRun.substr(0, 10), run.file == forged ? "is no run:" : "");
   }
 }
 

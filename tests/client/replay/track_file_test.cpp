@@ -58,11 +58,11 @@ TEST_F(TrackFileTest, SaysWhyAFileIsNoRun) {
 // Such a file verifies, and has a time of a few ticks.
 TEST_F(TrackFileTest, ARecordingThatBeginsBesideTheGoalIsNoRun) {
   write(forgedRun(followed_.game.sharedLevel(), units(60)));
-  EXPECT_EQ(fault(),
-            ": is no run: at its beginning the player is neither absent nor at rest at the start of the level");
+  EXPECT_EQ(fault(), ": is no run: its player does not begin at the start of the level, at rest");
   const RecordingFacts facts = readRecordingFacts(file_);
   EXPECT_EQ(facts.note, "") << "it can be watched";
   EXPECT_EQ(facts.ticks, std::nullopt);
+  EXPECT_EQ(": " + facts.noRun, fault());
 }
 
 }  // namespace

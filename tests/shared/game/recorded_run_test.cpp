@@ -13,11 +13,9 @@
 namespace platon::recorded_run_test {
 namespace {
 
-constexpr const char* kElsewhere =
-    "is no run: at its beginning the player is neither absent nor at rest at the start of the level";
+constexpr const char* kElsewhere = "is no run: its player does not begin at the start of the level, at rest";
 constexpr const char* kOtherElsewhere =
-    "is no run: at its beginning another player is not at rest at the start of the level, where doors are opened for "
-    "all";
+    "is no run: another player, who can open doors, does not begin at the start of the level, at rest";
 constexpr const char* kDoorsOpen = "is no run: doors are open at its beginning";
 constexpr const char* kBefore = "is no run: its attempt began before the recording";
 constexpr const char* kNoGoal = "is no run: it does not end with a player at the goal";

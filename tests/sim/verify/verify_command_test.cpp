@@ -46,8 +46,7 @@ TEST(VerifyCommandTest, SaysWhetherARecordingIsARun) {
   EXPECT_THAT(verified(run, {"--json"}), HasSubstr("\"run\":{\"player\":0,\"ticks\":" + std::to_string(ticks) + "},"));
   EXPECT_THAT(verified(run, {}), HasSubstr("is a run of player 0: " + std::to_string(ticks) + " ticks\n"));
   const auto forged = forgedRun(level, units(60));
-  const std::string why =
-      "is no run: at its beginning the player is neither absent nor at rest at the start of the level";
+  const std::string why = "is no run: its player does not begin at the start of the level, at rest";
   EXPECT_THAT(verified(forged, {"--json"}), HasSubstr("\"run\":null,\"noRun\":\"" + why + "\","));
   EXPECT_THAT(verified(forged, {}), HasSubstr(why + "\n"));
   const auto cut = std::span(run).first(run.size() - 1);

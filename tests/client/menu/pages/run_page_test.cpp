@@ -42,6 +42,9 @@ TEST(RunPage, SaysWhyItCannotBePlayedOrKept) {
   const MenuPage damaged = runPage({"One", "", "", "", false, "is a damaged recording"}, "x", "", {});
   EXPECT_EQ(damaged.notes[1], "It is a damaged recording.");
   EXPECT_TRUE(damaged.warning);
+  const MenuPage noRun = runPage({"One", "", "", "", false, "", "is no run: it ends elsewhere"}, "x", "", {});
+  EXPECT_EQ(noRun.notes[1], "It is no run: it ends elsewhere.");
+  EXPECT_FALSE(noRun.warning) << "it can be watched";
   const MenuPage full = runPage({"One"}, "x", "It cannot be kept: the disk is full.", {});
   EXPECT_EQ(full.notes[1], "It cannot be kept: the disk is full.");
   EXPECT_TRUE(full.warning);
