@@ -128,8 +128,7 @@ void JumpHeights::fall(std::uint32_t node, std::size_t cell) {
 // A key or a plate opens its doors; from a checkpoint, a hazard brings a player to its middle.
 void JumpHeights::touch(const ReachWall& wall) {
   const Element& element = *wall.element;
-  const auto& without = options_.without;
-  if (std::any_of(without.begin(), without.end(), [&](ElementWord word) { return word.isOf(element); })) return;
+  if (isAmong(options_.without, element)) return;
   if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) opened_ |= element.bit();
   if (element.kind != ElementKind::kCheckpoint || !hasHazard_) return;
   fall(wall.node, grids_[wall.node].cellAt(uprightOf(placeOf(element), faces_.all()[wall.node].up)));

@@ -50,12 +50,8 @@ Reach::Reach(const Level& level, int maxCrossings, std::vector<ElementWord> with
   }
 }
 
-bool Reach::isUsed(const Element& element) const {
-  return std::none_of(without_.begin(), without_.end(), [&](ElementWord word) { return word.isOf(element); });
-}
-
 bool Reach::opensDoors(const Element& element) const {
-  return (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) && isUsed(element);
+  return (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) && !isAmong(without_, element);
 }
 
 void Reach::setDoors(const Level& level) {
@@ -190,7 +186,7 @@ void Reach::visit(const ReachVisit& visit) {
   const ReachGrid::Cell& cell = (*grids_[visit.node])[visit.cell];
   if (cell.atGoal) toGoal_ = std::min(toGoal_.value_or(visit.crossings), visit.crossings);
   for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) {
-    if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint && isUsed(*wall.element))
+    if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint && !isAmong(without_, *wall.element))
       respawn(visit.crossings, *wall.element, wall.node);
   }
   if (!cell.grounded && (!cell.slowed || (visit.isBelow && !cell.steep))) return;

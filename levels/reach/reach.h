@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "levels/reach/reach_flight.h"
@@ -59,7 +58,6 @@ class Reach {
     Respawned respawned;
   };
 
-  bool isUsed(const Element& element) const;
   bool opensDoors(const Element& element) const;
   void setDoors(const Level& level);
   void begin(std::uint32_t open);

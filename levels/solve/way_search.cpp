@@ -120,10 +120,8 @@ bool WaySearch::keepsOff() const {
     return checkpoint != 0 && level.elements[checkpoint - 1] == element;
   };
   return limits_.without.empty() ||
-         std::none_of(level.elements.begin(), level.elements.end(), [&](const Element& element) {
-           const auto isMeant = [&](ElementWord word) { return word.isOf(element); };
-           return std::any_of(limits_.without.begin(), limits_.without.end(), isMeant) && isTouched(element);
-         });
+         std::none_of(level.elements.begin(), level.elements.end(),
+                      [&](const Element& element) { return isAmong(limits_.without, element) && isTouched(element); });
 }
 
 void WaySearch::noteTargets(const Way& way) {

@@ -36,7 +36,7 @@ int run(int argc, char** argv) {
 
   platon::SolveOptions solving;
   auto solve = program.addCommand("solve", "Search for a way to the goal");
-  solve.add("FILE", solving.file, "Level file").required();
+  solve.add("FILE", solving.file, "Level file");
   const Option output =
       solve.add("-o,--output", solving.recording, "Recording of the way to write").placeholder("FILE");
   const Option crossings = solve
@@ -65,11 +65,17 @@ int run(int argc, char** argv) {
 
   if (!program.read(argc, argv)) return 0;
   if (!without.empty()) {
+    // A checkpoint has no number: what follows is the file.
+    if (without.front() == "checkpoint" && without.size() > 1 && solving.file.empty()) {
+      solving.file = without.back();
+      without.pop_back();
+    }
     const std::string word = without.front() + (without.size() > 1 ? " " + without.back() : "");
     solving.without = platon::needOf(word);
     if (!solving.without)
       program.refuse("--without: '" + word + "' is no key K or plate K with K from 0 to 31, and no checkpoint");
   }
+  if (solve.given() && solving.file.empty()) program.refuse("solve: FILE is missing");
   if (solve.given()) return platon::solveLevel(solving);
   if (preview.given()) return platon::previewLevel(level, picture, width);
   return platon::checkLevels(files, json);

@@ -136,10 +136,9 @@ std::optional<Solution> findCounterexample(const std::shared_ptr<const Level>& l
   if (options.withoutCrossing) limits.crossings = static_cast<std::uint32_t>(*options.withoutCrossing - 1);
   auto way = LevelSolver(level).solve(limits);
   const auto facts = way ? factsOf(level, *way) : std::nullopt;
-  const auto isUsed = [&](std::uint32_t index) { return options.without->isOf(level->elements[index]); };
+  const auto isUsed = [&](std::uint32_t index) { return isAmong(limits.without, level->elements[index]); };
   // Players who wait may have touched what those who move keep off.
-  if (!facts || (options.without && std::any_of(facts->elements.begin(), facts->elements.end(), isUsed)))
-    return std::nullopt;
+  if (!facts || std::any_of(facts->elements.begin(), facts->elements.end(), isUsed)) return std::nullopt;
   return way;
 }
 

@@ -26,12 +26,17 @@ std::string ElementWord::text() const {
   return std::string(wordOf(kind)) + (hasNumber(kind) ? " " + std::to_string(number) : "");
 }
 
+bool isAmong(std::span<const ElementWord> words, const Element& element) {
+  return std::any_of(words.begin(), words.end(), [&](ElementWord word) { return word.isOf(element); });
+}
+
 std::optional<ElementWord> needOf(std::string_view text) {
-  const std::size_t blank = std::min(text.find(' '), text.size());
-  const auto kind = elementKindOf(text.substr(0, blank));
-  if (kind == ElementKind::kCheckpoint && blank == text.size()) return ElementWord{*kind};
-  if ((kind != ElementKind::kKey && kind != ElementKind::kPlate) || blank == text.size()) return std::nullopt;
-  const std::string_view digits = text.substr(blank + 1);
+  constexpr std::string_view blanks = " \t";
+  const std::size_t end = std::min(text.find_first_of(blanks), text.size());
+  const auto kind = elementKindOf(text.substr(0, end));
+  if (kind == ElementKind::kCheckpoint && end == text.size()) return ElementWord{*kind};
+  if ((kind != ElementKind::kKey && kind != ElementKind::kPlate) || end == text.size()) return std::nullopt;
+  const std::string_view digits = text.substr(std::min(text.find_first_not_of(blanks, end), text.size()));
   LevelNumber number;
   if (parseNumber(digits, kMaxDoorNumbers - 1, number) != NumberFault::kNone ||
       digits.find_first_of("-.") != std::string_view::npos)

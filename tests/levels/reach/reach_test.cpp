@@ -66,6 +66,16 @@ TEST(ReachTest, WhatIsNotTouchedOpensNothing) {
   EXPECT_EQ(Reach(*level, 0, {key, plate}).crossingsToGoal(), std::nullopt);
 }
 
+// The checkpoint reaches through a wall, and the hazard brings the player to its middle.
+TEST(ReachTest, ACheckpointThatIsNotTouchedLeadsNobodyBack) {
+  const auto level = cubeLevel(
+      "0 0 -180 0",
+      {kFlat + "60 -200 60 0\n60 0 240 0\n240 0 240 -200\n20 -180 220 -180 checkpoint\n" + "-100 -200 -60 -200 hazard"},
+      "0 160 -150");
+  EXPECT_EQ(Reach(*level, 0).crossingsToGoal(), 0);
+  EXPECT_EQ(Reach(*level, 0, {{ElementKind::kCheckpoint}}).crossingsToGoal(), std::nullopt);
+}
+
 TEST(ReachTest, ADoorThatNothingOpensStaysShutForSeveralPlayersToo) {
   const auto reaches = [](const std::string& lines) {
     const auto level = levelOf("# players: 2\nHEXAHEDRON\n0 0 -180 0\n0 160 -184\n480\n%\n" + kFlat + kRoom + lines +

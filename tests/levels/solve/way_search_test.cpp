@@ -62,10 +62,19 @@ TEST(WaySearchTest, FindsKeysAndPlates) {
   EXPECT_EQ(played(start, search, {Target::Kind::kKey, 0}).openDoors() & 1u << 2, 1u << 2);
 }
 
-TEST(WaySearchTest, KeepsOffWhatItIsToGoWithout) {
+// In a room, the checkpoint lies across the way to the goal.
+TEST(WaySearchTest, KeepsOffACheckpointThatItIsToGoWithout) {
   const Game start =
-      standing("-80 -180 -80 -160 key 2\n60 -200 120 -200 plate 5\n160 -180 180 -180 checkpoint\n", "5 0 0");
-  const std::vector<ElementWord> words = {{ElementKind::kKey, 2}, {ElementKind::kPlate, 5}, {ElementKind::kCheckpoint}};
+      standing("-200 -200 -200 -60\n200 -200 200 -60\n-200 -60 200 -60\n60 -200 60 -60 checkpoint\n", "0 120 -184");
+  WaySearch::Limits limits;
+  EXPECT_TRUE(WaySearch(start, 0, limits).find({}));
+  limits.without = {{ElementKind::kCheckpoint}};
+  EXPECT_FALSE(WaySearch(start, 0, limits).find({}));
+}
+
+TEST(WaySearchTest, KeepsOffWhatItIsToGoWithout) {
+  const Game start = standing("-80 -180 -80 -160 key 2\n60 -200 120 -200 plate 5\n", "5 0 0");
+  const std::vector<ElementWord> words = {{ElementKind::kKey, 2}, {ElementKind::kPlate, 5}};
   for (const ElementWord& word : words) {
     WaySearch::Limits limits;
     limits.without = {word};

@@ -120,8 +120,9 @@ TEST_F(SolveCommandTest, SaysWhenItCanNeitherProveNorRefute) {
   EXPECT_EQ(unknown.errors,
             "platon-level: not proved that every way to the goal uses a checkpoint: no other way was found, but there "
             "may be one\n");
-  EXPECT_EQ(run("unknown.level --without checkpoint --json").output,
-            "{\"without\":\"checkpoint\",\"proved\":false,\"found\":false}\n");
+  const std::string verdict = "{\"without\":\"checkpoint\",\"proved\":false,\"found\":false}\n";
+  EXPECT_EQ(run("unknown.level --without checkpoint --json").output, verdict);
+  EXPECT_EQ(run("--without checkpoint unknown.level --json").output, verdict);
 }
 
 TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
@@ -132,6 +133,7 @@ TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
             "platon-level: --without: 'door 1' is no key K or plate K with K from 0 to 31, and no checkpoint (see "
             "platon-level --help)\n");
   EXPECT_EQ(run("crossing.level --without key").exitCode, 2);
+  EXPECT_EQ(run("").errors, "platon-level: solve: FILE is missing (see platon-level --help)\n");
   EXPECT_EQ(run("crossing.level --without key 32").exitCode, 2);
   EXPECT_EQ(run("crossing.level --without key 1 2").exitCode, 2);
   EXPECT_EQ(run("crossing.level -o missing/way.recording").exitCode, 1);

@@ -22,7 +22,9 @@ TEST(ElementTest, ANeedIsAKeyAPlateOrACheckpoint) {
   EXPECT_EQ(needOf("key 0"), (ElementWord{ElementKind::kKey, 0}));
   EXPECT_EQ(needOf("plate 31"), (ElementWord{ElementKind::kPlate, 31}));
   EXPECT_EQ(needOf("checkpoint"), (ElementWord{ElementKind::kCheckpoint, 0}));
-  for (const char* text : {"", "key", "key ", "key 32", "key -0", "key 1.0", "key 1 ", "key  1", "Key 1", "keys 1",
+  for (const char* text : {"key 1", "key  1", "key\t1", "key \t 01"})
+    EXPECT_EQ(needOf(text), (ElementWord{ElementKind::kKey, 1})) << text;
+  for (const char* text : {"", "key", "key ", "key 32", "key -0", "key 1.0", "key 1 ", "Key 1", "keys 1",
                            "checkpoint 1", "checkpoint ", "door 1", "up 1", "hazard", "key 1, key 2"})
     EXPECT_EQ(needOf(text), std::nullopt) << text;
   for (const char* text : {"key 7", "plate 31", "checkpoint"}) EXPECT_EQ(needOf(text)->text(), text);

@@ -62,8 +62,11 @@ struct ElementWord {
   friend bool operator==(const ElementWord&, const ElementWord&) = default;
 };
 
+/// Whether the element has one of the words.
+bool isAmong(std::span<const ElementWord> words, const Element& element);
+
 /// Reads what a way to the goal may need: "key K" or "plate K" with K below kMaxDoorNumbers, or "checkpoint". Nothing
-/// for any other text.
+/// for any other text. Spaces and tabs separate the words.
 std::optional<ElementWord> needOf(std::string_view text);
 
 /// What the players have touched in a tick.
