@@ -126,15 +126,19 @@ TEST(ProgramCommands, OneMustBeGiven) {
 }
 
 TEST(ProgramCommands, AnUnknownOneIsNamed) {
-  ProgramOptions program("tool", "");
-  program.addCommand("draw", "Draws");
-  const char* const words[] = {"tool", "drew", "--json"};
-  try {
-    program.read(3, words);
-    FAIL();
-  } catch (const ProgramError& error) {
-    EXPECT_STREQ(error.what(), "'drew' is no command (see tool --help)");
-  }
+  const auto refusalOf = [](const char* word) {
+    ProgramOptions program("tool", "");
+    program.addCommand("draw", "Draws");
+    const char* const words[] = {"tool", word, "--json"};
+    try {
+      program.read(3, words);
+      return std::string();
+    } catch (const ProgramError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(refusalOf("drew"), "'drew' is no command (see tool --help)");
+  EXPECT_EQ(refusalOf("--drew"), "'--drew' is no option (see tool --help)");
 }
 
 TEST_F(ProgramOptionsTest, AnOptionMayTakeSeveralTexts) {
