@@ -1,10 +1,10 @@
 #include "client/files/session_file.h"
 
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <span>
 #include <system_error>
 
@@ -18,7 +18,8 @@ namespace {
 // Locks the file. `removed`: locked, but its previous owner has removed it from the folder.
 bool lock(const Descriptor& file, bool& removed) {
   struct stat status {};
-  const bool locked = flock(file.number(), LOCK_EX | LOCK_NB) == 0 && fstat(file.number(), &status) == 0;
+  const bool locked =
+      lockFile(file, std::chrono::milliseconds(0)) == LockResult::kLocked && fstat(file.number(), &status) == 0;
   removed = locked && status.st_nlink == 0;
   return locked && !removed;
 }

@@ -11,17 +11,9 @@
 namespace platon {
 
 std::optional<std::string> readInputFile(const std::string& path, std::size_t maxBytes, std::string& fault) {
-  constexpr std::size_t part = std::size_t{1} << 16;
   const OpenedFile opened = openToRead(path, Pipes::kRead);
   std::string content;
-  std::optional<std::size_t> got = opened.file ? std::optional(part) : std::nullopt;
-  while (got && *got != 0) {
-    const std::size_t had = content.size();
-    content.resize(std::min(maxBytes, had + part));
-    got = readNext(opened.file, content.data() + had, content.size() - had);
-    content.resize(had + got.value_or(0));
-  }
-  if (got) return content;
+  if (opened.file && readUpTo(opened.file, maxBytes, content)) return content;
   const std::string reason = opened.file ? std::strerror(errno) : opened.fault;
   fault = "cannot read '" + path + "': " + reason + "; name a readable file";
   return std::nullopt;

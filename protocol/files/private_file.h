@@ -9,9 +9,10 @@
 
 namespace platon {
 
-/// Opens a file that this program writes for itself, for reading and writing. Makes it if it is missing. Only its owner
-/// may read it: an older file of this user that others may read is changed. Only a regular file is opened, never a
-/// symbolic link, which somebody else may have put there. Never waits.
+/// Opens a file that this program writes for itself, for reading and writing. Makes it if it is missing. A new one
+/// may be read by its owner only, and so may from now on an older one of this user, unless it has a second name: that
+/// may be another file. Only a regular file is opened, never a symbolic link, which somebody else may have put there.
+/// Never waits.
 OpenedFile openPrivateFile(const std::string& path);
 
 /// Whether a file was locked.

@@ -9,9 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <optional>
-
-#include "protocol/files/regular_file.h"
 
 namespace platon {
 namespace {
@@ -67,13 +64,11 @@ bool syncFolder(const std::filesystem::path& file) {
   return opened && (fsync(opened.number()) == 0 || errno == EINVAL);
 }
 
-std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes) {
-  const OpenedFile opened = openToRead(path);
+std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes, Pipes pipes) {
+  const OpenedFile opened = openToRead(path, pipes);
   if (!opened.file) return ParseError{opened.fault};
-  std::string content(maxBytes + 1, '\0');
-  const std::optional<std::size_t> got = readNext(opened.file, content.data(), content.size());
-  if (!got) return ParseError{std::strerror(errno)};
-  content.resize(*got);
+  std::string content;
+  if (!readUpTo(opened.file, maxBytes + 1, content)) return ParseError{std::strerror(errno)};
   return content;
 }
 

@@ -7,12 +7,14 @@
 #include <variant>
 
 #include "protocol/files/parse_error.h"
+#include "protocol/files/regular_file.h"
 
 namespace platon {
 
-/// The content of a regular file, of which at most one byte more than `maxBytes` is read. On failure why it cannot be
-/// opened, as openToRead says it, or the reason of the system. Never waits for another program.
-std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes);
+/// The content of a file that openToRead opens, of which at most one byte more than `maxBytes` is read. On failure why
+/// it cannot be opened, or the reason of the system.
+std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes,
+                                                   Pipes pipes = Pipes::kRefuse);
 
 /// Replaces the content of a file: at any time the file holds all of the old content or all of the new one, also after
 /// a power failure. Keeps the access rights of the file, and a symbolic link to it; only its owner may read a new file.

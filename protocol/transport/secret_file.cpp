@@ -28,8 +28,8 @@ namespace {
 // Most bytes of a file with a secret.
 constexpr std::size_t kMaxSecretBytes = 4096;
 
-std::string firstLine(const std::string& path) {
-  const auto read = readTextFile(path, kMaxSecretBytes);
+std::string firstLine(const std::string& path, Pipes pipes = Pipes::kRefuse) {
+  const auto read = readTextFile(path, kMaxSecretBytes, pipes);
   if (const auto* error = std::get_if<ParseError>(&read)) refuseFile(path, error->what + "; name a readable file");
   const auto& text = std::get<std::string>(read);
   if (text.size() > kMaxSecretBytes)
@@ -99,7 +99,7 @@ std::optional<ServerIdentity> findIdentity(const std::string& path) {
 }  // namespace
 
 std::string readPasswordFile(const std::string& path) {
-  const std::string password = firstLine(path);
+  const std::string password = firstLine(path, Pipes::kRead);
   if (password.empty()) refuseFile(path, "the first line is empty; write the password there");
   return password;
 }

@@ -1,9 +1,7 @@
 #include "tests/sim/files.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <optional>
 
 #include "protocol/files/regular_file.h"
 #include "tests/sim/sim_options.h"
@@ -13,14 +11,7 @@ namespace platon::sim {
 std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t maxBytes) {
   const OpenedFile opened = openToRead(path, Pipes::kRead);
   std::vector<std::uint8_t> bytes;
-  std::optional<std::size_t> got = opened.file ? std::optional<std::size_t>(1) : std::nullopt;
-  while (got && *got != 0) {
-    const std::size_t had = bytes.size();
-    bytes.resize(std::min(maxBytes, had + (std::size_t{1} << 16)));
-    got = readNext(opened.file, bytes.data() + had, bytes.size() - had);
-    bytes.resize(had + got.value_or(0));
-  }
-  if (got) return bytes;
+  if (opened.file && readUpTo(opened.file, maxBytes, bytes)) return bytes;
   const std::string reason = opened.file ? std::strerror(errno) : opened.fault;
   throw UsageError("cannot read '" + path + "': " + reason + "; name a readable file");
 }

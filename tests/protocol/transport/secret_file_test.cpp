@@ -6,11 +6,13 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <functional>
 #include <optional>
 #include <utility>
 
+#include "protocol/files/descriptor.h"
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
 #include "tests/support/resource_limit.h"
@@ -175,6 +177,18 @@ TEST(SecretFile, TheCheckOfAKeyRefusesWhatReadingItWouldAndCreatesNothing) {
   }
 }
 
+// As `--password-file <(pass platon)` in a shell.
+TEST(SecretFile, APasswordMayComeFromAPipe) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  const Descriptor output(ends[0]);
+  {
+    const Descriptor input(ends[1]);
+    ASSERT_EQ(write(input.number(), "open sesame\n", 12), 12);
+  }
+  EXPECT_EQ(readPasswordFile("/dev/fd/" + std::to_string(output.number())), "open sesame");
+}
+
 TEST(SecretFile, WhatIsNoRegularFileOrTooLargeIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder / "secret";
@@ -184,7 +198,12 @@ TEST(SecretFile, WhatIsNoRegularFileOrTooLargeIsRefused) {
     std::filesystem::remove(path);
   };
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  expectRefused("it is a pipe, not a regular file; name a readable file");
+  EXPECT_EQ(errorOf([&] { readPasswordFile(path); }),
+            path + ": error: the first line is empty; write the password there")
+      << "a pipe that nobody writes";
+  EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
+            path + ": error: it is a pipe, not a regular file; name a readable file");
+  std::filesystem::remove(path);
   std::filesystem::create_symlink("/dev/zero", path);
   expectRefused("it is a device, not a regular file; name a readable file");
   writeText(path, "secret\n" + std::string(4090, 'x'));

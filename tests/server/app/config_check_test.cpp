@@ -163,7 +163,7 @@ TEST_F(ConfigCheckTest, APipeInPlaceOfAnyFileIsNamedAndNotWaitedFor) {
                 at("bans") + ": error: " + fault + "name a readable ban file; it may be empty",
                 at("best") + ": error: " + fault + "name a file that can be read and written, in a folder that exists",
                 at("key") + ": error: " + fault + "name a readable file",
-                at("password") + ": error: " + fault + "name a readable file",
+                at("password") + ": error: the first line is empty; write the password there",
                 "cannot announce the server in '" + at("list") + "': " + fault +
                     "correct the file or name another one after --announce"}));
 }
