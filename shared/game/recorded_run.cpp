@@ -34,7 +34,7 @@ LevelRest::LevelRest(const std::shared_ptr<const Level>& level) {
   Game game(level);
   while (stays_.size() < kMaxTicks) {
     game.advance({&rest, 1});
-    doors_ |= game.openDoors();
+    opened_.push_back({game.takenKeys(), game.pressedPlates()});
     Stay stay = stayOf(game, 0);
     const bool rests = !stays_.empty() && stay == stays_.back();
     stays_.push_back(std::move(stay));
@@ -47,6 +47,20 @@ std::optional<std::uint32_t> LevelRest::ticksTo(const Game& game, std::uint32_t 
   const auto found = std::find(stays_.begin(), stays_.end(), stayOf(game, slot));
   if (found == stays_.end()) return std::nullopt;
   return static_cast<std::uint32_t>(found - stays_.begin()) + 1;
+}
+
+bool LevelRest::explainsDoorsOf(const Game& game) const {
+  Opened explained;
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
+    if (game.player(slot).present == 0) continue;
+    const Stay stay = stayOf(game, slot);
+    for (std::size_t i = 0; i < stays_.size(); ++i) {
+      if (stays_[i] != stay) continue;
+      explained.keys |= opened_[i].keys;
+      explained.plates |= opened_[i].plates;
+    }
+  }
+  return (game.takenKeys() & ~explained.keys) == 0 && (game.pressedPlates() & ~explained.plates) == 0;
 }
 
 RecordedRun::RecordedRun(const Game& start) : start_(start), tick_(start.tick()), found_(start.slots()) {
@@ -78,9 +92,12 @@ std::variant<RunFinish, std::string> RecordedRun::finish(const Game& before, con
   return RunFinish{*slot, end.tick() - startedAt + 1};
 }
 
-// Whether the attempt from tick `startedAt` meets the player as it was found.
+// Whether the attempt from tick `startedAt` meets the player as it was found, or what it has opened: a key stays taken
+// if another player has begun before the restart, also in the same tick.
 bool RecordedRun::isThere(std::uint32_t slot, std::uint32_t startedAt) const {
-  return slot < found_.size() && found_[slot].renewedAt > startedAt;
+  if (slot >= found_.size()) return false;
+  const bool hasDoors = start_.level().doorNumbers != 0;
+  return hasDoors ? found_[slot].renewedAt >= startedAt : found_[slot].renewedAt > startedAt;
 }
 
 std::string RecordedRun::faultOf(std::uint32_t runner, std::uint32_t startedAt) const {
@@ -97,7 +114,7 @@ std::string RecordedRun::faultOf(std::uint32_t runner, std::uint32_t startedAt) 
   }
   if (start_.openDoors() == 0) return {};
   if (!rest) rest.emplace(start_.sharedLevel());
-  return (start_.openDoors() & ~rest->doors()) == 0 ? std::string() : "is no run: doors are open at its beginning";
+  return rest->explainsDoorsOf(start_) ? std::string() : "is no run: doors are open at its beginning";
 }
 
 }  // namespace platon

@@ -155,12 +155,51 @@ TEST(RecordedRun, AClockThatRunsIsRefused) {
   EXPECT_EQ(faultOf(runToGoal(state.game())), kBefore);
 }
 
+// The player takes the key too, so that it reaches the goal with each of them.
 TEST(RecordedRun, OpenDoorsAreRefused) {
+  const auto overTheKey = [](int tick) { return std::vector{with(tick < 60 ? Input::kLeft : Input::kRight)}; };
+  const Game honest = atRest(doorLevel());
+  EXPECT_EQ(faultOf(playToGoal(honest, overTheKey)), "none");
   for (const auto field : {&ForgedState::keys, &ForgedState::plates}) {
-    ForgedState state(atRest(doorLevel()));
-    state.*field = state.game().level().doorNumbers;
-    EXPECT_EQ(faultOf(runToGoal(state.game())), field == &ForgedState::keys ? kDoorsOpen : kNoGoal);
+    ForgedState state(honest);
+    state.*field = honest.level().doorNumbers;
+    EXPECT_EQ(faultOf(playToGoal(state.game(), overTheKey)), kDoorsOpen);
   }
+}
+
+// The start lies on a plate, or on a key, whose number is that of the door.
+TEST(RecordedRun, APlateAtTheStartStandsForNoKeyAndAKeyForNoPlate) {
+  const auto withAtStart = [](const std::string& element, const std::string& place) {
+    return cubeLevel("0 0 -180 0",
+                     {"-40 " + place + " 40 " + place + " " + element + "\n-240 -200 240 -200\n60 -200 60 200 door 1"},
+                     "0 150 -190");
+  };
+  const Game onPlate = atRest(withAtStart("plate 1", "-200"));
+  ASSERT_EQ(onPlate.pressedPlates(), 2U);
+  EXPECT_EQ(faultOf(runToGoal(onPlate)), kNoGoal) << "the door closes behind the plate";
+  ForgedState keys(onPlate);
+  keys.keys = 2;
+  EXPECT_EQ(faultOf(runToGoal(keys.game())), kDoorsOpen);
+
+  const Game onKey = atRest(withAtStart("key 1", "-195"));
+  ASSERT_EQ(onKey.takenKeys(), 2U);
+  EXPECT_EQ(faultOf(runToGoal(onKey)), "none");
+  ForgedState plates(onKey);
+  plates.plates = 2;
+  EXPECT_EQ(faultOf(runToGoal(plates.game())), kDoorsOpen);
+}
+
+// The only key is one that every player falls through.
+TEST(RecordedRun, AKeyIsTakenNoEarlierThanByWhoPressesNothing) {
+  const auto level =
+      cubeLevel("0 0 -100 0", {"-40 -180 40 -180 key 1\n-240 -200 240 -200\n60 -200 60 200 door 1"}, "0 150 -190");
+  const Game falling = atRest(level, 2);
+  ASSERT_EQ(falling.takenKeys(), 0U);
+  EXPECT_EQ(faultOf(runToGoal(falling)), "none");
+  ForgedState early(falling);
+  early.keys = 2;
+  EXPECT_EQ(faultOf(runToGoal(early.game())), kDoorsOpen);
+  EXPECT_EQ(faultOf(runToGoal(atRest(level))), "none") << "it has been taken on the way";
 }
 
 // A helper who begins beside the key.
@@ -177,6 +216,27 @@ TEST(RecordedRun, WhoCanOpenDoorsMustComeFromTheStartToo) {
   ForgedState state(played.game);
   state.entities[1].position.x = units(-45);
   EXPECT_EQ(faultOf(playToGoal(state.game(), help)), kOtherElsewhere);
+}
+
+// The game resets the keys at a restart, but not if somebody has begun in the same tick.
+TEST(RecordedRun, WhoHasTakenAKeyAndRestartsAsTheAttemptBeginsMustComeFromTheStartToo) {
+  PlayedGame played(doorLevel());
+  played.hold(1, kNone);
+  played.run(100, kNone);
+  ForgedState state(played.game);
+  state.entities[1].position.x = units(-60);  // at the key
+  const auto asHelper = [](int tick) {
+    return std::vector{with(tick < 2 ? kNone : Input::kRight), with(tick == 2 ? Input::kRestart : kNone)};
+  };
+  EXPECT_EQ(faultOf(playToGoal(played.game, asHelper)), kNoGoal) << "nobody opens the door";
+  EXPECT_EQ(faultOf(playToGoal(state.game(), asHelper)), kOtherElsewhere);
+  const auto asRunner = [](int tick) {
+    const std::uint8_t restart = tick == 2 ? Input::kRestart : kNone;
+    return std::vector{with(tick == 2 ? Input::kJump : kNone),
+                       with(tick < 2 ? kNone : static_cast<std::uint8_t>(Input::kRight | restart))};
+  };
+  EXPECT_EQ(faultOf(playToGoal(played.game, asRunner)), kNoGoal);
+  EXPECT_EQ(faultOf(playToGoal(state.game(), asRunner)), kElsewhere);
 }
 
 TEST(RecordedRun, WithoutDoorsItDoesNotMatterWhereOthersAre) {

@@ -48,6 +48,10 @@ class Game {
 
   /// Bits of the numbers whose doors are open in the next tick: a key was taken, or a player stands on a plate.
   std::uint32_t openDoors() const { return keys_ | plates_; }
+  /// Bits of the numbers whose keys have been taken.
+  std::uint32_t takenKeys() const { return keys_; }
+  /// Bits of the numbers on whose plates a player stood after the last tick.
+  std::uint32_t pressedPlates() const { return plates_; }
   /// Whether the key has been taken.
   bool isTaken(const Element& key) const { return (keys_ & key.bit()) != 0; }
 

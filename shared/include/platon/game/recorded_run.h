@@ -26,8 +26,9 @@ class LevelRest {
   /// attempt. Nothing if there are none, or if the slot has no player. What it holds, and what it has finished before,
   /// makes no difference.
   std::optional<std::uint32_t> ticksTo(const Game& game, std::uint32_t slot) const;
-  /// Bits of the numbers whose doors such a player opens.
-  std::uint32_t doors() const { return doors_; }
+  /// Whether the players of `game` who are as in `ticksTo` have taken all keys that are taken, and press all plates
+  /// that are pressed. A key opens its doors for good, a plate for a tick, so neither stands for the other.
+  bool explainsDoorsOf(const Game& game) const;
 
  private:
   // A player in a game.
@@ -39,10 +40,16 @@ class LevelRest {
     friend bool operator==(const Stay&, const Stay&) = default;
   };
 
+  // Bits as Game::takenKeys and Game::pressedPlates have them.
+  struct Opened {
+    std::uint32_t keys = 0;
+    std::uint32_t plates = 0;
+  };
+
   static Stay stayOf(const Game& game, std::uint32_t slot);
 
-  std::vector<Stay> stays_;  // after 1, 2 … ticks
-  std::uint32_t doors_ = 0;
+  std::vector<Stay> stays_;     // after 1, 2 … ticks
+  std::vector<Opened> opened_;  // by such a player, as stays_
 };
 
 /// The end of a run.
@@ -54,7 +61,8 @@ struct RunFinish {
 /// Decides whether a recording shows a run: an attempt that begins at the start of the level, at rest, with its clock
 /// at 0, and ends at the goal in the last tick. A recording may begin in any state, which whoever makes it can invent;
 /// so a player who is there at its beginning, and whom the game has not put back to the start since, must lie where
-/// one lies who has pressed nothing. Where there are doors, that holds for all players, and no other door may be open.
+/// one lies who has pressed nothing. Where there are doors, that holds for all players, also for those who are put back
+/// in the first tick of the attempt, and only keys and plates that such players touch may be in use.
 class RecordedRun {
  public:
   /// `start`: the game before the first recorded tick.
