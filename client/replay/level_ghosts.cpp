@@ -38,12 +38,15 @@ LevelGhosts readBestGhost(const BestRunSource& source, const Level& level, const
     if (auto track = trackIn(source.unsaved->recording, stop)) ghosts.best = bestGhostOf(std::move(*track));
     return ghosts;
   }
-  if (ghosts.bestFile.empty()) return ghosts;
-  auto track = readTrack(ghosts.bestFile, &level, stop);
-  if (auto* run = std::get_if<RunTrack>(&track)) {
-    ghosts.best = bestGhostOf(std::move(*run));
-  } else {
-    ghosts.faults.push_back(std::get<std::string>(std::move(track)));
+  for (const StoredRun& run : source.own.runsOn(level)) {
+    if (ghosts.best || stop.stop_requested()) break;
+    auto track = readTrack(run.file, &level, stop);
+    if (auto* fault = std::get_if<std::string>(&track)) {
+      ghosts.faults.push_back(std::move(*fault));
+    } else {
+      ghosts.best = bestGhostOf(std::get<RunTrack>(std::move(track)));
+      ghosts.bestFile = run.file;
+    }
   }
   return ghosts;
 }

@@ -16,7 +16,7 @@ namespace platon {
 /// The ghosts of a level, read from files.
 struct LevelGhosts {
   std::optional<Ghost> best{};        ///< nothing: there is no best run, or it cannot be played
-  std::filesystem::path bestFile{};   ///< of the best run that is kept, also if it cannot be played; empty: none
+  std::filesystem::path bestFile{};   ///< of the best run that is kept; if none can be played, of the first
   std::vector<Ghost> others{};        ///< the rival first
   std::vector<std::string> faults{};  ///< a sentence for each recording on the level that cannot be a ghost
 };
@@ -37,7 +37,8 @@ struct OtherRunsSource {
 /// The ghost of a best run.
 Ghost bestGhostOf(RunTrack track);
 
-/// Reads the best run on a level and plays it once. Ends early when it is asked to stop; then the result is not to be
+/// Reads the best run on a level and plays it once. A file that is no run leaves its place to the one with the next
+/// least time. Ends early when it is asked to stop; then the result is not to be
 /// used.
 LevelGhosts readBestGhost(const BestRunSource& source, const Level& level, const std::stop_token& stop = {});
 /// As readBestGhost, for the runs of others: at most `maxOthers` from the folder. These files may be many and long.

@@ -69,13 +69,18 @@ std::optional<StoredRun> RunStore::bestByName(const Level& level) const {
   return runs.empty() ? std::nullopt : std::optional(runs.front());
 }
 
-std::optional<StoredRun> RunStore::best(const Level& level) const {
-  const std::vector<StoredRun> runs = candidates(level);
-  const auto best = std::find_if(runs.begin(), runs.end(), [&](const StoredRun& run) {
+std::vector<StoredRun> RunStore::runsOn(const Level& level) const {
+  std::vector<StoredRun> runs = candidates(level);
+  std::erase_if(runs, [&](const StoredRun& run) {
     const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
-    return !head || !head->level || isSameLevel(*head->level, level);
+    return head && head->level && !isSameLevel(*head->level, level);
   });
-  return best == runs.end() ? std::nullopt : std::optional(*best);
+  return runs;
+}
+
+std::optional<StoredRun> RunStore::best(const Level& level) const {
+  const std::vector<StoredRun> runs = runsOn(level);
+  return runs.empty() ? std::nullopt : std::optional(runs.front());
 }
 
 std::optional<StoredRun> RunStore::ownRunOf(const fs::path& file) const {

@@ -56,8 +56,10 @@ class RunStore {
   /// The best run on a level by the present rules, as far as names of files tell: nothing is read. So the recording may
   /// be one on another level with the same hash, or damaged.
   std::optional<StoredRun> bestByName(const Level& level) const;
-  /// The best run on a level by the present rules, of the player's own games and on this server, by its name and
-  /// level; the recording may turn out to be damaged.
+  /// The runs on a level by the present rules, of the player's own games and on this server, by their names and levels,
+  /// the one with the least time first. The recordings may turn out to be damaged, or no runs.
+  std::vector<StoredRun> runsOn(const Level& level) const;
+  /// The first of these.
   std::optional<StoredRun> best(const Level& level) const;
   /// Where `keep` writes a run.
   std::filesystem::path fileOf(const Run& run) const;

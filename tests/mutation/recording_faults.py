@@ -105,6 +105,11 @@ RECORDING_FAULTS = [
               "  if (!std::holds_alternative<RunFinish>(run.finish(before, group))) return std::nullopt;\n", "",
               "a server puts a player beside the goal and gives it a best run",
               "RunCutter.WhoIsFoundElsewhereThanAtTheStartHasNoRunBeforeARestart"),
+    at_length("no-run-hides-the-next", REPLAY + "level_ghosts.cpp",
+              "if (ghosts.best || stop.stop_requested()) break;",
+              "if (ghosts.best || !ghosts.faults.empty() || stop.stop_requested()) break;",
+              "a file that is no run hides the best run behind it for ever",
+              "LevelGhostsTest.AFileThatIsNoRunLeavesItsPlaceToTheNext"),
     at_length("goal-waits-for-others", REPLAY + "run_keeper.cpp",
               "  if (loading_.isPending()) takeBest(loading_.wait());\n",
               "  if (loading_.isPending()) takeBest(loading_.wait());\n"

@@ -5,6 +5,7 @@
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 #include "tests/client/replay/followed_game.h"
+#include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -81,6 +82,26 @@ TEST_F(LevelGhostsTest, ADamagedBestRunIsNamedOnceAlsoAsTheRival) {
   EXPECT_FALSE(ghosts.best);
   ASSERT_EQ(ghosts.faults.size(), 1U);
   EXPECT_EQ(ghosts.faults[0].find(rival_.string()), 0U);
+}
+
+TEST_F(LevelGhostsTest, AFileThatIsNoRunLeavesItsPlaceToTheNext) {
+  best_.own.keep(run());
+  const auto write = [&](std::uint32_t ticks, const std::vector<std::uint8_t>& recording) {
+    const auto file = folder_ / "runs" / RunStore::fileNameOf(level().hash, ticks);
+    writeText(file, {reinterpret_cast<const char*>(recording.data()), recording.size()});
+    return file;
+  };
+  const auto forged = write(6, forgedRun(followed_.game.sharedLevel(), units(60)));
+  const auto damaged = write(7, {1, 2, 3});
+  write(run().ticks + 1, {1, 2, 3});  // slower: not looked at
+  const LevelGhosts ghosts = readGhosts();
+  ASSERT_TRUE(ghosts.best);
+  EXPECT_EQ(ghosts.best->name, bestName());
+  EXPECT_EQ(ghosts.bestFile, best_.own.fileOf(run()));
+  ASSERT_EQ(ghosts.faults.size(), 2U);
+  EXPECT_EQ(ghosts.faults[0],
+            forged.string() + ": is no run: its player does not begin at the start of the level, at rest");
+  EXPECT_EQ(ghosts.faults[1].find(damaged.string()), 0U);
 }
 
 TEST_F(LevelGhostsTest, AStopReadsNothingMore) {

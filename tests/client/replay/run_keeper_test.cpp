@@ -206,6 +206,21 @@ TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
   EXPECT_TRUE(next.takeFaults().empty());
 }
 
+// It had the best time, by its name, so that any other one was a new best.
+TEST_F(RunKeeperTest, AFileThatIsNoRunHidesNoneThatIsSlower) {
+  begin();
+  const std::uint32_t best = attempt(40, 0);
+  const std::filesystem::path file = keeper_.store().best(game_.level())->file;
+  writeText(folder_ / "runs" / RunStore::fileNameOf(game_.level().hash, 6), "damaged");
+  keeper_.began(Game(edgeLevel("1 0 -189")), 0);
+  game_ = Game(edgeLevel());
+  begin();
+  EXPECT_EQ(keeper_.status().best, seconds(best));
+  EXPECT_EQ(keeper_.bestFile(), file);
+  ASSERT_GT(attempt(40, Input::kWalk), best);
+  EXPECT_FALSE(keeper_.status().isNewBest);
+}
+
 TEST_F(RunKeeperTest, AnAttemptInWhichRunsDidNotCountForAWhileIsNotKept) {
   begin();
   hold(1, Input::kRestart);
