@@ -32,7 +32,7 @@ Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_to
   if (!start) return note = Replay::kNoStart, ending;
   PlayCost cost(*start);
   for (; block && note.empty() && !stop.stop_requested(); block = reader.next()) {
-    if (!cost.add(*block)) note = Replay::kTooLong;
+    if (!cost.add(block->ticks(), block->slots)) note = Replay::kTooLong;
     if (block->ticks() != 0 && !ending.run) ending.run.emplace(*start);
     for (std::uint32_t tick = 0; tick < block->ticks(); ++tick) ending.run->add(block->inputsOf(tick));
     ending.state = block->state;

@@ -12,6 +12,13 @@ namespace {
 // So that no tick is above 2^32.
 constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - PlayCost::kMax / PlayCost::kBase;
 
+// What a round of 256 players costs, as PlayCost::add counts it.
+constexpr std::uint64_t costOfFullRound(std::uint64_t segments) {
+  return std::uint64_t{kRoundTicks} * (kMaxPlayers + 1) * (PlayCost::kBase + segments);
+}
+
+static_assert(costOfFullRound(31) <= PlayCost::kMax && costOfFullRound(32) > PlayCost::kMax, "mend the text of kMax");
+
 }  // namespace
 
 std::optional<Game> gameBefore(const RecordedBlock& first, const std::shared_ptr<const Level>& level) {
@@ -20,9 +27,9 @@ std::optional<Game> gameBefore(const RecordedBlock& first, const std::shared_ptr
   return valid ? std::optional(std::move(game)) : std::nullopt;
 }
 
-bool PlayCost::add(const RecordedBlock& block) {
-  slots_ = std::max(slots_, block.slots);
-  sum_ += block.ticks() * (std::uint64_t{slots_} + 1) * ofPlayer_;
+bool PlayCost::add(std::uint32_t ticks, std::uint32_t slots) {
+  slots_ = std::max(slots_, slots);
+  sum_ += ticks * (std::uint64_t{slots_} + 1) * ofPlayer_;
   return sum_ <= kMax;
 }
 
@@ -55,7 +62,7 @@ std::string Replay::readBlocks(RecordingReader& reader, RecordedBlock first, con
 
 std::string Replay::add(RecordedBlock block) {
   ticks_ += block.ticks();
-  const bool affordable = cost_.add(block);
+  const bool affordable = cost_.add(block.ticks(), block.slots);
   blocks_.push_back(std::move(block));
   return affordable ? "" : kTooLong;
 }

@@ -24,19 +24,19 @@ std::optional<Game> gameBefore(const RecordedBlock& first, const std::shared_ptr
 /// the recording has chosen all three.
 class PlayCost {
  public:
-  /// Of a player and a tick without segments; one for each segment that may be in reach is added. At one, a player and
-  /// tick cost about 0.1 µs on the worst levels, and less on others.
+  /// Cost of a player and a tick without segments in reach. Each segment that may be in reach adds one. One unit is
+  /// about 0.1 µs on the worst levels, and less on others.
   static constexpr std::uint64_t kBase = 10;
   /// Most that a recording may cost: as 16 players for six minutes on a level that is as crowded as a valid one can be,
-  /// about 20 s. 256 players play a whole round for that where at most 24 segments are in reach.
+  /// about 20 s. 256 players play a whole round for that where at most 31 segments are in reach.
   static constexpr std::uint64_t kMax =
       std::uint64_t{17} * 6 * 60 * kTicksPerSecond * (kBase + std::uint64_t{kMaxSegmentsInReach});
 
   /// `start`: the game before the first block.
   explicit PlayCost(const Game& start) : slots_(start.slots()), ofPlayer_(kBase + segmentsInReach(start.level())) {}
 
-  /// Adds the next block. Returns whether all blocks together cost at most kMax.
-  bool add(const RecordedBlock& block);
+  /// Adds the next block: its ticks and slots. Returns whether all blocks together cost at most kMax.
+  bool add(std::uint32_t ticks, std::uint32_t slots);
 
  private:
   std::uint32_t slots_;  // those of the game never become fewer

@@ -1,7 +1,9 @@
 #include "client/replay/run_cutter.h"
 
+#include <algorithm>
 #include <variant>
 
+#include "client/replay/replay.h"
 #include "platon/game/recorder.h"
 
 namespace platon {
@@ -96,8 +98,21 @@ std::optional<Run> RunCutter::cutAlone(const Game& game) const {
   return Run{game.sharedLevel(), ticks, recorder.takeBytes()};
 }
 
+// Whether the recording of the group's game will be read again, which counts by blocks.
+bool RunCutter::isGroupAffordable() const {
+  PlayCost cost(*start_);
+  bool affordable = true;
+  for (std::size_t first = 0; first < groupInputs_.size(); first += kCheckpointTicks) {
+    const auto ticks = std::min<std::size_t>(kCheckpointTicks, groupInputs_.size() - first);
+    std::size_t slots = 0;
+    for (std::size_t i = first; i < first + ticks; ++i) slots = std::max(slots, groupInputs_[i].size());
+    affordable = cost.add(static_cast<std::uint32_t>(ticks), static_cast<std::uint32_t>(slots));
+  }
+  return affordable;
+}
+
 std::optional<Run> RunCutter::cutGroup(const Game& game) const {
-  if (!start_ || !own_ || own_->player.startedAt <= start_->tick()) return std::nullopt;
+  if (!start_ || !own_ || own_->player.startedAt <= start_->tick() || !isGroupAffordable()) return std::nullopt;
   Game group = *start_;
   Game before = group;
   RecordedRun run(group);

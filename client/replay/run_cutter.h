@@ -27,7 +27,7 @@ class RunCutter {
   /// `game` has been advanced by `inputs`. Returns the time of the attempt if it has reached the goal in this tick.
   std::optional<std::uint32_t> advance(std::span<const Input> inputs, const Game& game);
   /// The run that has ended with the tick of the last call of `advance`, after which `game` is. Nothing if it began
-  /// before the game was known. Plays the run once.
+  /// before the game was known, or if it costs too much to be played again (PlayCost). Plays the run once.
   std::optional<Run> cut(const Game& game) const;
 
  private:
@@ -48,6 +48,7 @@ class RunCutter {
   bool allRest(const Game& game) const;
   std::optional<Run> cutAlone(const Game& game) const;
   std::optional<Run> cutGroup(const Game& game) const;
+  bool isGroupAffordable() const;
 
   std::uint32_t slot_ = 0;
   std::optional<Own> own_;                       // after the last tick; nothing: the player is absent

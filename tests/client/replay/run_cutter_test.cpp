@@ -163,6 +163,32 @@ TEST(RunCutter, ARunWithTheHelpOfOthersHasAllPlayers) {
   EXPECT_LE(replay->ticks(), *followed.time + 60);
 }
 
+// Where 400 segments are in reach somewhere, about 1800 ticks of 256 slots can be played again.
+TEST(RunCutter, AGroupRunThatNobodyCouldReadIsNotCut) {
+  std::string crowd;
+  for (int i = 0; i < 400; ++i) {
+    const std::string end = std::to_string(i % 20) + " " + std::to_string(i / 20);
+    crowd.append(end).append(" ").append(end).append(".5\n");
+  }
+  const auto level = cubeLevel(
+      "0 0 -180 0", {"-240 -200 240 -200\n60 -200 60 200 door 1\n-60 -200 -60 -150 key 1", "", "", "", "", crowd},
+      "0 150 -190");
+  const auto at = [](std::uint8_t buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; };
+  for (const auto& [wait, affordable] : {std::pair(1000, true), std::pair(2500, false)}) {
+    FollowedGame followed(level, 1);
+    std::vector<Input> inputs(kMaxPlayers);
+    inputs[0] = inputs[1] = at(0);
+    for (int i = 0; i < 100; ++i) followed.advance(inputs);
+    inputs[0] = at(Input::kLeft);
+    for (int i = 0; i < wait; ++i) followed.advance(inputs);
+    inputs[1] = at(Input::kRight);
+    for (int i = 0; i < 200 && !followed.time; ++i) followed.advance(inputs);
+    ASSERT_TRUE(followed.time) << wait;
+    ASSERT_EQ(followed.run.has_value(), affordable) << wait;
+    if (affordable) expectSameRun(followed);
+  }
+}
+
 // A server can send any state.
 TEST(RunCutter, WhoIsFoundElsewhereThanAtTheStartHasNoRunBeforeARestart) {
   for (const auto& [level, x] : {std::pair(floorLevel(), 60), std::pair(doorLevel(), 80)}) {
