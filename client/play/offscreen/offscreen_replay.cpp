@@ -13,26 +13,29 @@ namespace {
 constexpr Moment kPollInterval = std::chrono::milliseconds(5);
 constexpr Moment kToldInterval = std::chrono::seconds(2);
 
+// Returns when the file has been read.
+ReplayPlay readToPlay(const std::string& file, const Clock& clock, const std::function<bool()>& stopRequested) {
+  ReplayPlay replay(file);
+  Moment toldAt = clock.now();
+  for (;; clock.sleepUntil(clock.now() + kPollInterval)) {
+    if (stopRequested()) throw ProgramError(ProgramError::kFailed, file + ": " + Replay::kStopped);
+    replay.advance(0);
+    if (!replay.fault().empty()) throw ProgramError(ProgramError::kLevel, replay.fault());
+    if (replay.viewer() != nullptr) return replay;
+    if (clock.now() - toldAt < kToldInterval) continue;
+    toldAt = clock.now();
+    std::fprintf(stderr, "platon-client: %s\n", replay.readingText().c_str());
+  }
+}
+
 }  // namespace
 
 OffscreenReplay::OffscreenReplay(const ClientOptions& options, const Settings& settings, const Clock& clock,
                                  const std::function<bool()>& stopRequested)
-    : options_(options), settings_(settings), replay_(options.replay), view_(kPictureWidth, kPictureHeight) {
-  read(clock, stopRequested);
-}
-
-void OffscreenReplay::read(const Clock& clock, const std::function<bool()>& stopRequested) {
-  Moment toldAt = clock.now();
-  for (;; clock.sleepUntil(clock.now() + kPollInterval)) {
-    if (stopRequested()) throw ProgramError(ProgramError::kFailed, options_.replay + ": " + Replay::kStopped);
-    replay_.advance(0);
-    if (!replay_.fault().empty()) throw ProgramError(ProgramError::kLevel, replay_.fault());
-    if (replay_.viewer() != nullptr) return;
-    if (clock.now() - toldAt < kToldInterval) continue;
-    toldAt = clock.now();
-    std::fprintf(stderr, "platon-client: %s\n", replay_.readingText().c_str());
-  }
-}
+    : options_(options),
+      settings_(settings),
+      replay_(readToPlay(options.replay, clock, stopRequested)),
+      view_(kPictureWidth, kPictureHeight) {}
 
 void OffscreenReplay::run() {
   replay_.skipTo(options_.seconds.value_or(viewer().player().replay().ticks()));

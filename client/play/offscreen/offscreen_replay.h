@@ -26,11 +26,9 @@ class OffscreenReplay {
   const ReplayViewer& viewer() const { return *replay_.viewer(); }
 
  private:
-  void read(const Clock& clock, const std::function<bool()>& stopRequested);
-
   ClientOptions options_;
   Settings settings_;
-  ReplayPlay replay_;
+  ReplayPlay replay_;  // read before there is an OpenGL context: a file that is damaged is named also without OpenGL
   Offscreen offscreen_;
   GameView view_;
 };

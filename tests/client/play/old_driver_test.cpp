@@ -7,9 +7,13 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 #include "client/gl/window.h"
+#include "client/play/offscreen/offscreen_replay.h"
 #include "client/play/play_window.h"
+#include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "tests/support/environment_variable.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
 namespace platon::old_driver_test {
@@ -36,6 +40,24 @@ TEST(OldDriver, AWindowTellsThatOpenGl33IsMissing) {
 
 TEST(OldDriver, OffScreenTheReasonIsTheSame) {
   EXPECT_EQ(reasonOf([] { const Offscreen context; }), kText);
+}
+
+// A damaged recording is the fault, whatever the driver.
+TEST(OldDriver, OffScreenARecordingIsReadBefore) {
+  const TemporaryFolder folder;
+  ClientOptions options;
+  options.offscreen = true;
+  options.replay = (folder / "text").string();
+  writeText(options.replay, "no recording");
+  try {
+    const OffscreenReplay replay(options, Settings(), steadyClock(), [] { return false; });
+    FAIL() << "read";
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+  }
+  options.replay = "tests/determinism/golden/hexahedron.recording";
+  EXPECT_EQ(reasonOf([&] { const OffscreenReplay replay(options, Settings(), steadyClock(), [] { return false; }); }),
+            kText);
 }
 
 TEST(OldDriver, TheProgramDoesNotAdviseToDrawOffScreen) {
