@@ -6,6 +6,7 @@ GAME = "shared/game/"
 
 REPLAY = "client/replay/"
 VERIFY = "tests/sim/verify/verify_many.cpp"
+VERIFICATION = "tests/sim/verify/verification.cpp"
 
 RECORDING_FAULTS = [
     Fault("checksum-not-compared", GAME + "recording_reader.cpp",
@@ -141,6 +142,10 @@ RECORDING_FAULTS = [
               "  if (lock.refused()) return std::nullopt;\n", "",
               "what a server is still writing counts as invalid",
               "VerifyManyTest.LeavesOutWhatAServerIsWriting"),
+    at_length("later-runs-are-none", VERIFICATION,
+              "if (!beginsLater_) return", "if (true) return",
+              "a run that is replayed from a checkpoint is said to be none",
+              "VerifyCommandTest.FromALaterCheckpointItIsNotKnownWhetherARecordingIsARun"),
     at_length("divergence-is-invalid", VERIFY,
               "result->report.exitCode == 1 ? summary_.differ", "result->report.exitCode == 2 ? summary_.differ",
               "the summary counts a recording that differs as one that cannot be read",

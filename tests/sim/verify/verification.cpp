@@ -10,13 +10,15 @@ Verifier::Verifier(std::span<const std::uint8_t> recording, std::uint32_t from)
 void Verifier::start(std::uint32_t from) {
   block_ = reader_.next();
   if (!block_) return;
-  if (from < block_->firstTick) from = block_->firstTick;
+  const std::uint32_t first = block_->firstTick;
+  if (from < first) from = first;
   while (block_->ticks() != 0 && block_->firstTick + block_->ticks() <= from) {
     auto next = reader_.next();
     if (!next) break;  // truncated: start with the last block
     block_ = std::move(next);
   }
   begin_ = block_->offset;
+  beginsLater_ = block_->firstTick != first;
   Game game(reader_.level());
   if (!game.restore(block_->state)) {
     found_.fault = "byte " + std::to_string(block_->offset) + ": the state of the block is not valid on this level";
@@ -46,9 +48,14 @@ Verification Verifier::run(const Played& played) {
   }
   if (found_.fault.empty()) found_.fault = reader_.fault();
   if (game_) found_.slots = game_->slots();
-  const bool whole = game_ && found_.fault.empty() && !found_.divergence;
-  found_.run = whole ? run_->finish(*before_, *game_) : "is no run: it was not replayed to its end";
+  found_.run = runFound();
   return found_;
+}
+
+std::variant<RunFinish, std::string> Verifier::runFound() const {
+  if (!game_ || !found_.fault.empty() || found_.divergence) return "is no run: it was not replayed to its end";
+  if (!beginsLater_) return run_->finish(*before_, *game_);
+  return "may be a run, which is not known: the replay began at tick " + std::to_string(found_.firstTick);
 }
 
 // Compares the states at a checkpoint. After a divergence, also finds the first field that differs.

@@ -56,10 +56,12 @@ class Verifier {
   void start(std::uint32_t from);
   bool matches(const RecordedBlock& block);
   void play(const RecordedBlock& block, const Played& played);
+  std::variant<RunFinish, std::string> runFound() const;
 
   RecordingReader reader_;
   std::size_t bytes_;                   // of the recording
   std::size_t begin_ = 0;               // of the first block that is replayed
+  bool beginsLater_ = false;            // than the recording
   std::optional<RecordedBlock> block_;  // next to be replayed
   std::optional<Game> game_;
   std::optional<Game> before_;      // the last tick of the last block

@@ -53,6 +53,16 @@ TEST(VerifyCommandTest, SaysWhetherARecordingIsARun) {
   EXPECT_EQ(std::get<std::string>(Verifier(cut).run().run), "is no run: it was not replayed to its end");
 }
 
+TEST(VerifyCommandTest, FromALaterCheckpointItIsNotKnownWhetherARecordingIsARun) {
+  const std::string path = recordedFile({"--checkpoint-every", "50"});
+  const std::string why = "may be a run, which is not known: the replay began at tick 100";
+  EXPECT_THAT(outputOf(verifyCommand, {path, "--from", "149", "--json"}),
+              HasSubstr("\"run\":null,\"noRun\":\"" + why + "\","));
+  EXPECT_THAT(outputOf(verifyCommand, {path, "--from", "149"}), HasSubstr(why + "\n"));
+  const std::string none = "is no run: it does not end with a player at the goal\n";
+  EXPECT_THAT(outputOf(verifyCommand, {path, "--from", "49"}), HasSubstr(none)) << "from the beginning";
+}
+
 TEST(VerifyCommandTest, RecordsTheReplay) {
   const std::string path = recordedFile();
   const std::string copy = path + "_copy";
