@@ -31,36 +31,34 @@ class ChatBudget {
   TokenBucket bucket_;
 };
 
-/// What each household may say in a match: as much as its players may together, also if they leave and join again,
-/// which gives each of them a new budget. One household takes nothing from another.
-class HouseholdChat {
+/// What each network, a household or a site, may say in a match: as much as its players may together, also if they
+/// leave and join again, which gives each of them a new budget. One network takes nothing from another.
+class NetworkChat {
  public:
-  /// Players whose budgets a household has at most: each text is sent to all players.
+  /// Players whose budgets a network has at most: each text is sent to all players.
   static constexpr std::uint32_t kMaxSpeakers = 16;
 
-  /// `players`: that a household may have.
-  explicit HouseholdChat(std::uint32_t players) : speakers_(std::min(players, kMaxSpeakers)) {}
+  /// `players`: that a network may have.
+  explicit NetworkChat(std::uint32_t players) : speakers_(std::min(players, kMaxSpeakers)) {}
 
-  /// Whether the household may say one more at tick `now` of the match, which never decreases; it counts then.
-  bool take(std::uint64_t household, std::uint64_t now) {
-    std::erase_if(households_,
-                  [now](const auto& each) { return now - each.second.usedAt >= ChatBudget::kRefillTicks; });
-    Household& used =
-        households_.try_emplace(household, Household{ChatBudget::ofPlayers(speakers_), now}).first->second;
+  /// Whether the network may say one more at tick `now` of the match, which never decreases; it counts then.
+  bool take(std::uint64_t network, std::uint64_t now) {
+    std::erase_if(networks_, [now](const auto& each) { return now - each.second.usedAt >= ChatBudget::kRefillTicks; });
+    Network& used = networks_.try_emplace(network, Network{ChatBudget::ofPlayers(speakers_), now}).first->second;
     used.usedAt = now;
     return used.budget.take(now);
   }
-  /// Households of which something is kept: those that have talked in the last ChatBudget::kRefillTicks.
-  std::size_t size() const { return households_.size(); }
+  /// Networks of which something is kept: those that have talked in the last ChatBudget::kRefillTicks.
+  std::size_t size() const { return networks_.size(); }
 
  private:
-  struct Household {
+  struct Network {
     ChatBudget budget;
     std::uint64_t usedAt;
   };
 
   std::uint32_t speakers_;
-  std::map<std::uint64_t, Household> households_;
+  std::map<std::uint64_t, Network> networks_;
 };
 
 }  // namespace platon

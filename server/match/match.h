@@ -181,6 +181,7 @@ class Match {
   void handle(ClientId client, const Leave& leave);
   void handle(ClientId client, const Vote& vote);
   void handle(ClientId client, const Chat& chat);
+  bool mayChat(const IpAddress& address);
   void handle(ClientId client, const PlayerInputs& inputs);
 
   /// The player of the client, or why it gets none.
@@ -245,7 +246,8 @@ class Match {
   PlayerNames names_;                        // of the connected and the disconnected players
   std::uint64_t nextRosterAt_ = 0;           // value of now_
   VoteNotices voteNotices_;
-  HouseholdChat householdChat_;
+  NetworkChat householdChat_;
+  NetworkChat siteChat_{NetworkChat::kMaxSpeakers};
   BestTimeKeeper* bestTimes_ = nullptr;  // null: none
   bool countsTimes_ = true;
   std::uint32_t uncountedAt_ = 0;    // last tick of the round in which times did not count; 0: none

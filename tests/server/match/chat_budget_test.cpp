@@ -38,8 +38,8 @@ TEST(ChatBudget, IsFullAfterEightSeconds) {
   EXPECT_EQ(ChatBudget::kRefillTicks, 8 * kTicksPerSecond);
 }
 
-TEST(HouseholdChat, AHouseholdSaysAsMuchAsItsPlayers) {
-  HouseholdChat chat(4);
+TEST(NetworkChat, ANetworkSaysAsMuchAsItsPlayers) {
+  NetworkChat chat(4);
   for (int i = 0; i < 16; ++i) EXPECT_TRUE(chat.take(7, 0));
   EXPECT_FALSE(chat.take(7, 0));
   EXPECT_FALSE(chat.take(7, kTicksPerSecond / 2 - 1));
@@ -47,15 +47,15 @@ TEST(HouseholdChat, AHouseholdSaysAsMuchAsItsPlayers) {
   EXPECT_TRUE(chat.take(8, 0)) << "another one";
 }
 
-TEST(HouseholdChat, NoHouseholdSaysMoreThanSixteenPlayers) {
-  HouseholdChat chat(kMaxPlayers);
+TEST(NetworkChat, NoNetworkSaysMoreThanSixteenPlayers) {
+  NetworkChat chat(kMaxPlayers);
   for (int i = 0; i < 64; ++i) EXPECT_TRUE(chat.take(7, 0));
   EXPECT_FALSE(chat.take(7, 0));
 }
 
-TEST(HouseholdChat, KeepsOnlyThoseWhoHaveTalkedLately) {
-  HouseholdChat chat(4);
-  for (std::uint64_t household = 1; household <= 1000; ++household) chat.take(household, household);
+TEST(NetworkChat, KeepsOnlyThoseWhoHaveTalkedLately) {
+  NetworkChat chat(4);
+  for (std::uint64_t network = 1; network <= 1000; ++network) chat.take(network, network);
   EXPECT_EQ(chat.size(), ChatBudget::kRefillTicks);
   for (int i = 0; i < 15; ++i) EXPECT_TRUE(chat.take(1000, 1000));
   EXPECT_FALSE(chat.take(1000, 1000)) << "it has said one already";

@@ -114,6 +114,45 @@ TEST_F(MatchChat, HouseholdsThatJoinAgainAndAgainDoNotSilenceOthers) {
   EXPECT_EQ(flood, 2u * (16 + 79)) << "what four players of each household may say in nearly 40 s";
 }
 
+TEST_F(MatchChat, ASiteOfManyHouseholdsSaysNoMoreThanSixteenPlayers) {
+  join(1, 1);
+  for (ClientId client = 2; client < 302; ++client) {
+    match_.receive(client, Hello{}, *IpAddress::parse("2001:db8:1:" + std::to_string(client) + "::1"));
+    for (int text = 0; text < 4; ++text) say(client, "flood");
+    match_.receive(client, Leave{});
+    match_.tick();
+  }
+  EXPECT_EQ(heardBy(1).size(), 64u + 300 * 8 / kTicksPerSecond - 1);
+}
+
+// A site is silenced only by itself.
+TEST_F(MatchChat, ASiteOfManyHouseholdsSilencesNoOther) {
+  match_.receive(1, Hello{}, *IpAddress::parse("2001:db8:2::1"));
+  for (ClientId client = 2; client < 302; ++client) {
+    match_.receive(client, Hello{}, *IpAddress::parse("2001:db8:1:" + std::to_string(client) + "::1"));
+    for (int text = 0; text < 4; ++text) say(client, "flood");
+    match_.receive(client, Leave{});
+    match_.tick();
+  }
+  match_.takeOutgoing();
+  say(1, "I");
+  EXPECT_EQ(heardBy(1), (std::vector<PlayerChat>{{0, {"I", 0}}}));
+}
+
+// Their number has no limit, as behind a local relay, so that of a household does not count.
+TEST_F(MatchChat, PlayersOnThisMachineSayAsMuchAsSixteen) {
+  const auto joinHere = [this](ClientId client) { match_.receive(client, Hello{}, *IpAddress::parse("127.0.0.1")); };
+  for (ClientId client = 1; client <= 16; ++client) {
+    joinHere(client);
+    for (int text = 0; text < 4; ++text) say(client, "a");
+  }
+  match_.receive(16, Leave{});
+  match_.tick();
+  joinHere(17);
+  say(17, "flood");
+  EXPECT_EQ(heardBy(1).size(), 64u);
+}
+
 TEST_F(MatchChat, AnotherPlayerIsHeardWhileOneFloods) {
   join(1, 2);
   for (int i = 0; i < 100; ++i) say(1, "flood");
