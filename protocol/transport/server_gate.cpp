@@ -28,6 +28,17 @@ CryptoKey randomKey() {
   return key;
 }
 
+PathChallenge randomChallenge() {
+  PathChallenge challenge;
+  randombytes_buf(challenge.data(), challenge.size());
+  return challenge;
+}
+
+bool isAnswer(ByteSpan content, const PathChallenge& challenge) {
+  return content.size() == 1 + challenge.size() &&
+         sodium_memcmp(content.data() + 1, challenge.data(), challenge.size()) == 0;
+}
+
 // False for an address that the system cannot send to, or that reaches more than one receiver.
 bool canAnswer(const SocketAddress& address) {
   if (address.port == 0) return false;
@@ -84,35 +95,53 @@ std::optional<ServerGate::Received> ServerGate::takeSealed(const Datagram& datag
   }
   session->accept.clear();
   if (content->isControl) {
-    takeControl(*session, datagram.peer, content->bytes);
+    takeControl(*session, datagram.peer, content->bytes, now);
     return std::nullopt;
   }
-  const bool isLongEnough = datagram.bytes.size() >= kPathChallengeBytes;  // the answer must not be longer
-  if (content->isNewest && isLongEnough && datagram.peer != session->address) checkPath(*session, datagram.peer, now);
+  if (content->isNewest) checkPath(*session, datagram, now);
   return Received{session->id, std::move(content->bytes)};
 }
 
 // The client sends from another address, for instance because a router gave it another port. Answers go there only
-// after it has shown that it also receives there; otherwise anybody could direct them at others. A household that is
-// full gets no challenge: its limit would be worth nothing if sessions could begin elsewhere.
-void ServerGate::checkPath(Session& session, const SocketAddress& sender, Moment now) {
-  if (session.path && now - session.path->challengedAt < kChallengeInterval) return;
-  if ((banCheck_ && banCheck_(sender.ip)) || !hasRoomFor(sender.ip, &session)) return;
-  if (!session.path || session.path->address != sender) {
-    session.path = Path{sender, {}, now};
-    randombytes_buf(session.path->challenge.data(), session.path->challenge.size());
+// after it has shown that it also receives there; otherwise anybody could direct them at others. Or somebody on the
+// wire has overtaken its datagram: then it still receives at the old address, and shows that. A household that is full
+// gets no challenge: its limit would be worth nothing if sessions could begin elsewhere.
+void ServerGate::checkPath(Session& session, const Datagram& datagram, Moment now) {
+  const SocketAddress& sender = datagram.peer;
+  if (sender == session.address) return session.path.reset();
+  if (!session.path) session.path = Path{{}, {}, randomChallenge(), now - kChallengeInterval, now, now};
+  if (datagram.bytes.size() < kPathChallengeBytes) return;  // the challenge must not be longer
+  Path& path = *session.path;
+  const bool isOldDue =
+      now - path.receivedAtOld >= kUnconfirmedPathTime / 2 && now - path.askedOldAt >= kChallengeInterval;
+  const bool mayMove = !(banCheck_ && banCheck_(sender.ip)) && hasRoomFor(sender.ip, &session);
+  const bool isNewDue = mayMove && now - path.challengedAt >= kChallengeInterval;
+  if (isOldDue && (!isNewDue || path.askedOldAt <= path.challengedAt)) {
+    path.askedOldAt = now;
+    challenge(session, session.address, path.oldChallenge, now);
+  } else if (isNewDue) {
+    if (path.address != sender) path.challenge = randomChallenge();
+    path.address = sender;
+    path.challengedAt = now;
+    challenge(session, sender, path.challenge, now);
   }
-  session.path->challengedAt = now;
-  Bytes challenge{kPathChallenge};
-  challenge.insert(challenge.end(), session.path->challenge.begin(), session.path->challenge.end());
-  sendPlain(sender, session.channel->seal(challenge, true), now);
 }
 
-void ServerGate::takeControl(Session& session, const SocketAddress& sender, ByteSpan content) {
-  if (!session.path || session.path->address != sender || content[0] != kPathResponse) return;
-  const auto& challenge = session.path->challenge;
-  if (content.size() != 1 + challenge.size()) return;
-  if (sodium_memcmp(content.data() + 1, challenge.data(), challenge.size()) != 0) return;
+void ServerGate::challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge,
+                           Moment now) {
+  Bytes content{kPathChallenge};
+  content.insert(content.end(), challenge.begin(), challenge.end());
+  sendPlain(receiver, session.channel->seal(content, true), now);
+}
+
+// The answer to oldChallenge may come from anywhere: whoever sends it has received at the old address.
+void ServerGate::takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now) {
+  if (!session.path || content[0] != kPathResponse) return;
+  if (isAnswer(content, session.path->oldChallenge)) {
+    session.path->oldChallenge = randomChallenge();
+    session.path->receivedAtOld = now;
+  }
+  if (session.path->address != sender || !isAnswer(content, session.path->challenge)) return;
   session.path.reset();
   if (banCheck_ && banCheck_(sender.ip)) {  // since the challenge
     ++counters_.banned;
@@ -128,6 +157,7 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
 void ServerGate::send(SessionId id, ByteSpan content, Moment now) {
   if (find(id) == nullptr || content.size() + SealedChannel::kOverhead > kMaxDatagramBytes) return;
   Session& session = sessions_[id.slot];
+  if (session.path && now - session.path->receivedAtOld >= kUnconfirmedPathTime) return;
   sendPlain(session.address, session.channel->seal(content), now);
 }
 

@@ -59,6 +59,9 @@ class ServerGate {
  public:
   /// Time after the handshake in which a session must be confirmed.
   static constexpr std::chrono::seconds kConfirmTime{3};
+  /// While a client sends from another address than the one that it has shown to receive at, content is sent to the
+  /// latter for so long after the last sign that it still receives there.
+  static constexpr std::chrono::milliseconds kUnconfirmedPathTime{1000};
 
   ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const GateSettings& settings,
              Moment now);
@@ -75,7 +78,8 @@ class ServerGate {
   /// The next content from a session. Answers all other datagrams on the way; nothing when no datagram waits, or the
   /// round has taken all that it may.
   std::optional<Received> receive(Moment now);
-  /// Seals and queues; no effect if the session has ended or the content is too long.
+  /// Seals and queues; no effect if the session has ended, the content is too long, or nobody knows where the client
+  /// receives: see kUnconfirmedPathTime.
   void send(SessionId session, ByteSpan content, Moment now);
   void flush(Moment now) { socket_->flush(now); }
 
@@ -114,7 +118,10 @@ class ServerGate {
   struct Path {
     SocketAddress address;
     PathChallenge challenge{};
+    PathChallenge oldChallenge{};  // for the address of the session
     Moment challengedAt{};
+    Moment askedOldAt{};
+    Moment receivedAtOld{};  // when the client still received there: when the path began, or it answered oldChallenge
   };
   struct Session {
     SessionId id;  // number 0: free
@@ -129,8 +136,9 @@ class ServerGate {
 
   std::optional<Received> take(const Datagram& datagram, Moment now);
   std::optional<Received> takeSealed(const Datagram& datagram, Moment now);
-  void takeControl(Session& session, const SocketAddress& sender, ByteSpan content);
-  void checkPath(Session& session, const SocketAddress& sender, Moment now);
+  void takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now);
+  void checkPath(Session& session, const Datagram& datagram, Moment now);
+  void challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge, Moment now);
   void takeHandshake(const Datagram& datagram, Moment now);
   void answerKnock(const Datagram& datagram, Moment now);
   void answerOpen(const Datagram& datagram, Moment now);

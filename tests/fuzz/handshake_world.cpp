@@ -82,9 +82,12 @@ void HandshakeWorld::sendFromServer(std::size_t number, std::size_t bytes) {
   const platon::Bytes content = nextContent(bytes);
   const std::size_t before = sent().size();
   gate_->send(session.id, content, now_);
-  require(gate_->isOpen(session.id) ? sent().size() == before + 1 && sent().back().to.ip == session.address.ip
-                                    : sent().size() == before,
-          "the server sends to a session that has ended, or to another address than that of the session");
+  const bool mayHoldBack = session.strayedAt && now_ - *session.strayedAt >= ServerGate::kUnconfirmedPathTime;
+  const bool hasSent = sent().size() == before + 1;
+  require(gate_->isOpen(session.id) ? hasSent || mayHoldBack : !hasSent,
+          "the server sends to a session that has ended, or nothing to a client that has not moved");
+  require(!hasSent || sent().back().to.ip == session.address.ip,
+          "the server sends to another address than that of the session");
   toClient_.insert({session.clientKey, content});
 }
 
@@ -154,17 +157,20 @@ void HandshakeWorld::deliverToServer(const SocketAddress& from, ByteSpan datagra
   const std::size_t before = sent().size();
   network_.inject(from, server(), bytes);
   gate_->beginRound();
-  while (const auto received = gate_->receive(now_)) checkReceived(*received);
+  while (const auto received = gate_->receive(now_)) checkReceived(*received, from);
   checkAnswers(from, bytes, before);
   checkSessions(from, before);
 }
 
-// Nothing but one answer to the sender, which is no longer than its datagram.
+// Nothing but one answer, which is no longer than the datagram, to the sender; or a challenge to the address of a
+// session.
 void HandshakeWorld::checkAnswers(const SocketAddress& from, ByteSpan datagram, std::size_t before) {
   require(sent().size() <= before + 1, "a datagram has several answers");
   if (sent().size() == before) return;
   const platon::Bytes answer = sent().back().bytes;
-  require(sent().back().to == from && from.port != 0, "an answer goes to somebody else");
+  const bool isChallenge = SealedChannel::isSealed(answer) && answer.size() == kPathChallengeBytes;
+  require((sent().back().to == from && from.port != 0) || (isChallenge && isAddressOfSession(sent().back().to)),
+          "an answer goes to somebody else");
   require(answer.size() <= datagram.size(), "an answer is longer than the request");
   noteAnswer(from, datagram, answer);
 }
@@ -227,11 +233,17 @@ bool HandshakeWorld::isWithinHousehold(const IpAddress& address) const {
   return address.isLoopback() || sessions <= std::int64_t{setup_.sessionsPerHousehold};
 }
 
-void HandshakeWorld::checkReceived(const ServerGate::Received& received) {
+bool HandshakeWorld::isAddressOfSession(const SocketAddress& address) const {
+  return std::any_of(sessions_.begin(), sessions_.end(),
+                     [&](const ModelSession& each) { return gate_->isOpen(each.id) && each.address == address; });
+}
+
+void HandshakeWorld::checkReceived(const ServerGate::Received& received, const SocketAddress& from) {
   const auto session = std::find_if(sessions_.begin(), sessions_.end(),
                                     [&](const ModelSession& each) { return each.id == received.session; });
   require(session != sessions_.end() && !session->closed, "a content of no session");
   if (session == sessions_.end()) return;
+  if (!session->strayedAt && from != session->address) session->strayedAt = now_;
   require(toServer_.erase({session->clientKey, received.bytes}) == 1, "a content that was not sent, or comes again");
 }
 

@@ -88,6 +88,7 @@ class HandshakeWorld {
     SocketAddress address;
     bool confirmed = false;
     bool closed = false;
+    std::optional<Moment> strayedAt{};  // when a content first came from another address
   };
   struct Content {
     CryptoKey clientKey{};
@@ -105,7 +106,8 @@ class HandshakeWorld {
   void noteAccept(const SocketAddress& from, ByteSpan datagram, const Accept& accept);
   void checkSessions(const SocketAddress& from, std::size_t before);
   bool isWithinHousehold(const IpAddress& address) const;
-  void checkReceived(const ServerGate::Received& received);
+  void checkReceived(const ServerGate::Received& received, const SocketAddress& from);
+  bool isAddressOfSession(const SocketAddress& address) const;
   void checkTransition(const Client& client, ClientGate::State before, ByteSpan datagram);
   bool wasAccepted(ByteSpan datagram) const;
   platon::Bytes nextContent(std::size_t bytes);

@@ -9,6 +9,8 @@
 namespace platon::server_gate_paths_test {
 namespace {
 
+using namespace std::chrono_literals;
+
 const SocketAddress kMoved = addressAt("203.0.113.9", 999);
 const SocketAddress kMovedAgain = addressAt("203.0.113.9", 1000);
 
@@ -34,6 +36,8 @@ class ServerGatePathsTest : public ServerGateTest {
   std::size_t challengesTo(const SocketAddress& address) const { return sent(kServer, address).size(); }
   // The client receives the last challenge to this address. Returns its answer.
   Bytes answerTo(const SocketAddress& address) {
+    while (client_->receive(now_)) {
+    }
     network_.inject(kServer, clientAt(1), sent(kServer, address).back());
     client_->receive(now_);
     return network_.sent().back().bytes;
@@ -165,6 +169,104 @@ TEST_F(ServerGatePathsTest, WhoeverChecksMovesMayRefuseOne) {
   answer(kMoved, answerTo(kMoved));
   EXPECT_EQ(receiver(), kMoved);
   EXPECT_EQ(asked, (std::vector{kMoved.ip, kMoved.ip}));
+}
+
+// The server went on sending to an address that the client had left, 326 kB/s of it.
+TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressThatTheClientDoesNotAnswerAt) {
+  deliver(kMoved, sealed(kContent));
+  now_ += ServerGate::kUnconfirmedPathTime - 1ms;
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(receiver(), clientAt(1));
+  now_ += 1ms;
+  deliver(kMoved, sealed(kContent));
+  const std::size_t before = network_.sent().size();
+  gate_->send(session_, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before);
+  answer(kMoved, answerTo(kMoved));
+  EXPECT_EQ(receiver(), kMoved);
+}
+
+// Somebody on the wire sends copies of what it sends, which arrive before, from elsewhere.
+TEST_F(ServerGatePathsTest, AClientThatIsOvertakenAnswersWhereItIsAndMissesNothing) {
+  deliver(kMoved, sealed(kContent));
+  for (int second = 0; second < 10; ++second) {
+    now_ += ServerGate::kUnconfirmedPathTime / 2;
+    const std::size_t before = challengesTo(clientAt(1));
+    deliver(kMoved, sealed(kContent));
+    deliver(kMoved, sealed(kContent));
+    ASSERT_EQ(challengesTo(clientAt(1)), before + 1);
+    answer(kMoved, answerTo(clientAt(1)));
+    now_ += ServerGate::kUnconfirmedPathTime / 2;
+    EXPECT_EQ(receiver(), clientAt(1));
+  }
+}
+
+TEST_F(ServerGatePathsTest, AnAnswerFromTheOldAddressCountsOnce) {
+  deliver(kMoved, sealed(kContent));
+  now_ += ServerGate::kUnconfirmedPathTime / 2;
+  deliver(kMoved, sealed(kContent));
+  answer(kMoved, answerTo(clientAt(1)));
+  now_ += ServerGate::kUnconfirmedPathTime - 1ms;
+  answer(kMoved, answerTo(clientAt(1)));
+  EXPECT_EQ(receiver(), clientAt(1));
+  now_ += 1ms;
+  const std::size_t before = network_.sent().size();
+  gate_->send(session_, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before) << "it was the same challenge";
+}
+
+TEST_F(ServerGatePathsTest, ADatagramFromTheOldAddressEndsTheDoubt) {
+  deliver(kMoved, sealed(kContent));
+  now_ += 10 * ServerGate::kUnconfirmedPathTime;
+  deliver(clientAt(1), sealed(kContent));
+  EXPECT_EQ(receiver(), clientAt(1));
+}
+
+TEST_F(ServerGatePathsTest, ALateDatagramFromTheOldAddressDoesNot) {
+  const Bytes late = sealed(kContent);
+  deliver(kMoved, sealed(kContent));
+  now_ += 10 * ServerGate::kUnconfirmedPathTime;
+  deliver(clientAt(1), late);
+  const std::size_t before = network_.sent().size();
+  gate_->send(session_, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before);
+}
+
+// Such a datagram tells as much about the old address as any other.
+TEST_F(ServerGatePathsTest, ADatagramThatIsTooShortForAChallengePutsTheOldAddressInDoubtToo) {
+  deliver(kMoved, sealed(Bytes{1}));
+  now_ += ServerGate::kUnconfirmedPathTime;
+  const std::size_t before = network_.sent().size();
+  gate_->send(session_, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before);
+}
+
+// The server does not follow it there, but asks whether it still receives where it was.
+TEST_F(ServerGatePathsTest, ADatagramFromABannedAddressPutsTheOldAddressInDoubtToo) {
+  gate_->setBanCheck(
+      [](const IpAddress& ip) { return ip == kMoved.ip ? std::optional<std::string>("") : std::nullopt; });
+  deliver(kMoved, sealed(kContent));
+  now_ += ServerGate::kUnconfirmedPathTime;
+  const std::size_t before = challengesTo(clientAt(1));
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(challengesTo(kMoved), 0u);
+  EXPECT_EQ(challengesTo(clientAt(1)), before + 1);
+  answer(kMoved, answerTo(clientAt(1)));
+  EXPECT_EQ(receiver(), clientAt(1));
+}
+
+// Each datagram has one answer at most, and none keeps the other waiting for long.
+TEST_F(ServerGatePathsTest, BothAddressesAreAskedInTurn) {
+  deliver(kMoved, sealed(kContent));
+  now_ += ServerGate::kUnconfirmedPathTime / 2;
+  const std::size_t before = challengesTo(clientAt(1));
+  for (int i = 0; i < 10; ++i, now_ += 250ms) {
+    const std::size_t all = network_.sent().size();
+    deliver(kMoved, sealed(kContent));
+    EXPECT_EQ(network_.sent().size(), all + 2) << "the datagram itself, and a challenge";
+  }
+  EXPECT_EQ(challengesTo(clientAt(1)), before + 5);
+  EXPECT_EQ(challengesTo(kMoved), 1u + 5);
 }
 
 }  // namespace

@@ -47,6 +47,25 @@ TEST_F(HostTest, ReportsThatAClientHasDisconnected) {
   EXPECT_EQ(events_[1].client, client);
 }
 
+// As when its router gives it another port.
+TEST_F(HostTest, AClientWhoseAddressChangesIsFollowedAndMissesNoMessage) {
+  const SocketAddress moved = addressAt("192.0.2.1", 4001);
+  const ClientId client = connect();
+  host_.admit(client);
+  network_.setFilter([&](const DatagramNetwork::Sent& sent) {
+    if (sent.from == kClient) network_.inject(moved, kServer, sent.bytes);
+    if (sent.to == moved) network_.inject(kServer, kClient, sent.bytes);
+    return sent.from == kEve || sent.to == kEve;
+  });
+  for (std::uint8_t i = 0; i < 100; ++i) {
+    host_.send(client, true, Bytes{i});
+    client_.send(Bytes(20, i), false);
+    step();
+  }
+  EXPECT_TRUE(run([this] { return received_.size() == 100 && messages_.size() == 101; }));
+  for (std::uint8_t i = 0; i < 100; ++i) EXPECT_EQ(received_.at(i), Bytes{i});
+}
+
 // Neither what it sends nor its admission prolongs the connection.
 TEST_F(HostTest, AnAdmittedClientThatKeepsSendingAfterCloseEndsAfterThreeSeconds) {
   eve_.connect(host_, now_);
