@@ -109,20 +109,20 @@ std::optional<ServerGate::Received> ServerGate::takeSealed(const Datagram& datag
 void ServerGate::checkPath(Session& session, const Datagram& datagram, Moment now) {
   const SocketAddress& sender = datagram.peer;
   if (sender == session.address) return session.path.reset();
-  if (!session.path) session.path = Path{{}, {}, randomChallenge(), now - kChallengeInterval, now, now};
+  if (!session.path) session.path = Path{{}, {}, randomChallenge(), now, now};
   if (datagram.bytes.size() < kPathChallengeBytes) return;  // the challenge must not be longer
   Path& path = *session.path;
   const bool isOldDue =
       now - path.receivedAtOld >= kUnconfirmedPathTime / 2 && now - path.askedOldAt >= kChallengeInterval;
   const bool mayMove = !(banCheck_ && banCheck_(sender.ip)) && hasRoomFor(sender.ip, &session);
-  const bool isNewDue = mayMove && now - path.challengedAt >= kChallengeInterval;
-  if (isOldDue && (!isNewDue || path.askedOldAt <= path.challengedAt)) {
+  const bool isNewDue = mayMove && (!session.challengedAt || now - *session.challengedAt >= kChallengeInterval);
+  if (isOldDue && (!isNewDue || path.askedOldAt <= session.challengedAt)) {
     path.askedOldAt = now;
     challenge(session, session.address, path.oldChallenge, now);
   } else if (isNewDue) {
     if (path.address != sender) path.challenge = randomChallenge();
     path.address = sender;
-    path.challengedAt = now;
+    session.challengedAt = now;
     challenge(session, sender, path.challenge, now);
   }
 }
@@ -134,7 +134,8 @@ void ServerGate::challenge(Session& session, const SocketAddress& receiver, cons
   sendPlain(receiver, session.channel->seal(content, true), now);
 }
 
-// The answer to oldChallenge may come from anywhere: whoever sends it has received at the old address.
+// The answer to oldChallenge may come from anywhere: whoever sends it has received at the old address. A client that
+// may not move is asked again when the next challenge is due, and is in doubt at its old address as before.
 void ServerGate::takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now) {
   if (!session.path || content[0] != kPathResponse) return;
   if (isAnswer(content, session.path->oldChallenge)) {
@@ -142,7 +143,7 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
     session.path->receivedAtOld = now;
   }
   if (session.path->address != sender || !isAnswer(content, session.path->challenge)) return;
-  session.path.reset();
+  session.path->challenge = randomChallenge();
   if (banCheck_ && banCheck_(sender.ip)) {  // since the challenge
     ++counters_.banned;
     return;
@@ -151,6 +152,7 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
     ++counters_.full;
     return;
   }
+  session.path.reset();
   session.address = sender;
 }
 

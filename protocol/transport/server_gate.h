@@ -119,7 +119,6 @@ class ServerGate {
     SocketAddress address;
     PathChallenge challenge{};
     PathChallenge oldChallenge{};  // for the address of the session
-    Moment challengedAt{};
     Moment askedOldAt{};
     Moment receivedAtOld{};  // when the client still received there: when the path began, or it answered oldChallenge
   };
@@ -128,8 +127,9 @@ class ServerGate {
     SocketAddress address;
     std::optional<SealedChannel> channel;
     CryptoKey clientKey{};
-    Bytes accept;              // repeated when the client repeats its Open; empty once the client has it
-    std::optional<Path> path;  // another address from which the client sends, until it has answered there
+    Bytes accept;                        // repeated when the client repeats its Open; empty once the client has it
+    std::optional<Path> path;            // another address from which the client sends, until it has answered there
+    std::optional<Moment> challengedAt;  // when it was last sent a challenge at another address
     bool confirmed = false;
     Moment since{};
   };

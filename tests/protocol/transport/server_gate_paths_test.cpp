@@ -120,7 +120,7 @@ TEST_F(ServerGatePathsTest, NobodyMovesIntoAHouseholdThatHasFilledSinceTheChalle
   join(addressAt("203.0.113.9", 1));
   join(addressAt("203.0.113.9", 2));
   answer(kMoved, response);
-  EXPECT_EQ(receiver(), clientAt(1));
+  EXPECT_EQ(gate_->addressOf(session_), clientAt(1).ip);
   EXPECT_EQ(gate_->counters().full, 1u);
 }
 
@@ -165,10 +165,63 @@ TEST_F(ServerGatePathsTest, WhoeverChecksMovesMayRefuseOne) {
   EXPECT_EQ(gate_->addressOf(session_), clientAt(1).ip);
   EXPECT_EQ(gate_->counters().full, 1u);
   may = true;
+  now_ += 100ms;
   deliver(kMoved, sealed(kContent));
   answer(kMoved, answerTo(kMoved));
   EXPECT_EQ(receiver(), kMoved);
   EXPECT_EQ(asked, (std::vector{kMoved.ip, kMoved.ip}));
+}
+
+// As long as it stayed, it was challenged, and counted as refused, with each datagram.
+TEST_F(ServerGatePathsTest, AClientWhoseMoveIsRefusedIsChallengedTenTimesASecond) {
+  gate_->setMoveCheck([](SessionId, const IpAddress&) { return false; });
+  deliver(kMoved, sealed(kContent));
+  answer(kMoved, answerTo(kMoved));
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(challengesTo(kMoved), 1u);
+  now_ += 99ms;
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(challengesTo(kMoved), 1u);
+  now_ += 1ms;
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(challengesTo(kMoved), 2u);
+}
+
+// Two challenges before the first answer are the same.
+TEST_F(ServerGatePathsTest, AChallengeIsAnsweredOnce) {
+  gate_->setMoveCheck([](SessionId, const IpAddress&) { return false; });
+  deliver(kMoved, sealed(kContent));
+  const Bytes response = answerTo(kMoved);
+  now_ += 100ms;
+  deliver(kMoved, sealed(kContent));
+  answer(kMoved, answerTo(kMoved));
+  answer(kMoved, response);
+  EXPECT_EQ(gate_->counters().full, 1u);
+}
+
+// It does not receive at its old address, and may not receive here.
+TEST_F(ServerGatePathsTest, AClientWhoseMoveIsRefusedIsSentNothingButChallengesAfterASecond) {
+  gate_->setMoveCheck([](SessionId, const IpAddress&) { return false; });
+  for (Moment passed{}; passed < ServerGate::kUnconfirmedPathTime; passed += 100ms, now_ += 100ms) {
+    deliver(kMoved, sealed(kContent));
+    if (challengesTo(kMoved) > gate_->counters().full) answer(kMoved, answerTo(kMoved));
+    EXPECT_EQ(receiver(), clientAt(1));
+  }
+  EXPECT_GE(gate_->counters().full, 5u);
+  deliver(kMoved, sealed(kContent));
+  const std::size_t before = network_.sent().size();
+  gate_->send(session_, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before);
+  deliver(clientAt(1), sealed(kContent));
+  EXPECT_EQ(receiver(), clientAt(1)) << "it has come back";
+}
+
+TEST_F(ServerGatePathsTest, AClientBetweenTwoAddressesIsChallengedTenTimesASecond) {
+  for (int i = 0; i < 100; ++i, now_ += 10ms) {
+    deliver(kMoved, sealed(kContent));
+    deliver(clientAt(1), sealed(kContent));
+  }
+  EXPECT_EQ(challengesTo(kMoved), 10u);
 }
 
 // The server went on sending to an address that the client had left, 326 kB/s of it.
