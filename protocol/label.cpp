@@ -65,21 +65,16 @@ CodePoints partsOf(char32_t code) {
   return {parts.begin(), parts.begin() + std::clamp<utf8proc_ssize_t>(count, 0, parts.size())};
 }
 
-/// The letter that combining characters would change, as a label is read from its beginning.
-class Letter {
+/// The marks of a letter, as it is read from its beginning.
+class Marks {
  public:
-  /// Nothing to combine with.
-  void end() { marks_.reset(); }
-  /// A character that does not combine, with the marks that it is composed of.
-  void begin(char32_t code) {
-    marks_ = partsOf(code);
-    std::erase_if(*marks_, [](char32_t part) { return !isCombining(part); });
+  /// Those of which the first character is composed.
+  explicit Marks(char32_t first) : marks_(partsOf(first)) {
+    std::erase_if(marks_, [](char32_t part) { return !isCombining(part); });
   }
-  /// Adds a combining character. False, without effect, if there is no letter, or the letter has it already or enough
-  /// others.
+  /// Adds a combining character. False, without effect, if the letter has it already or enough others.
   bool add(char32_t code) {
-    if (!marks_) return false;
-    CodePoints marks = *marks_;
+    CodePoints marks = marks_;
     for (const char32_t mark : partsOf(code)) {
       if (marks.find(mark) != CodePoints::npos) return false;
       marks += mark;
@@ -91,7 +86,7 @@ class Letter {
   }
 
  private:
-  std::optional<CodePoints> marks_;  // nothing: no letter
+  CodePoints marks_;
 };
 
 // Text that is mapped by utf8proc; unchanged if it is not UTF-8.
@@ -107,6 +102,51 @@ std::string mapped(std::string_view text, int options) {
   return {reinterpret_cast<const char*>(points.data()), static_cast<std::size_t>(length)};
 }
 
+// The label without what nobody sees, combining characters without a letter included.
+std::string withoutInvisible(std::string_view label) {
+  std::string visible;
+  bool isAfterBlank = true;
+  while (!label.empty()) {
+    const std::string_view rest = label;
+    const char32_t code = takeCodePoint(label);
+    isAfterBlank = isAfterBlank || isBlank(code);
+    if (isBlank(code) || isInvisible(code) || (isAfterBlank && isCombining(code))) continue;
+    if (isAfterBlank && !visible.empty()) visible += ' ';
+    visible += rest.substr(0, rest.size() - label.size());
+    isAfterBlank = false;
+  }
+  return visible;
+}
+
+// Takes the first character and those that combine with it.
+std::string_view takeLetter(std::string_view& text) {
+  const std::string_view all = text;
+  takeCodePoint(text);
+  for (std::string_view rest = text; !rest.empty() && isCombining(takeCodePoint(rest));) text = rest;
+  return all.substr(0, all.size() - text.size());
+}
+
+// The letter without the combining characters that are too many.
+std::string withFewMarks(std::string_view letter) {
+  const std::string_view all = letter;
+  Marks marks(takeCodePoint(letter));
+  std::string few(all.substr(0, all.size() - letter.size()));
+  while (!letter.empty()) {
+    const std::string_view rest = letter;
+    if (marks.add(takeCodePoint(letter))) few += rest.substr(0, rest.size() - letter.size());
+  }
+  return few;
+}
+
+// Marks are limited in NFC, so that neither their order nor the form of the letter decides which of them stay. Where
+// this needs more room than the letter has, as for some composed letters of Hebrew, the marks stay that come first.
+std::string visibleLetter(std::string_view letter) {
+  const std::string composed = mapped(letter, UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+  const std::string limited = withFewMarks(composed);
+  if (limited == composed) return std::string(letter);
+  return limited.size() <= letter.size() ? limited : withFewMarks(letter);
+}
+
 }  // namespace
 
 bool isLabel(std::string_view text, std::size_t maxBytes) {
@@ -120,23 +160,9 @@ bool isLabel(std::string_view text, std::size_t maxBytes) {
 }
 
 std::string visibleLabel(std::string_view label) {
+  const std::string seen = withoutInvisible(label);
   std::string visible;
-  Letter letter;
-  bool spaceBefore = false;
-  while (!label.empty()) {
-    const std::string_view rest = label;
-    const char32_t code = takeCodePoint(label);
-    if (isBlank(code)) {
-      spaceBefore = !visible.empty();
-      letter.end();
-    }
-    if (isBlank(code) || isInvisible(code)) continue;
-    if (isCombining(code) && !letter.add(code)) continue;
-    if (!isCombining(code)) letter.begin(code);
-    if (spaceBefore) visible += ' ';
-    visible += rest.substr(0, rest.size() - label.size());
-    spaceBefore = false;
-  }
+  for (std::string_view rest = seen; !rest.empty();) visible += visibleLetter(takeLetter(rest));
   return visible;
 }
 
