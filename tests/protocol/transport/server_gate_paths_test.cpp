@@ -258,10 +258,15 @@ TEST_F(ServerGatePathsTest, AnAnswerFromTheOldAddressCountsOnce) {
   deliver(kMoved, sealed(kContent));
   now_ += ServerGate::kUnconfirmedPathTime / 2;
   deliver(kMoved, sealed(kContent));
-  answer(kMoved, answerTo(clientAt(1)));
+  const Bytes first = answerTo(clientAt(1));
+  now_ += 100ms;
+  deliver(kMoved, sealed(kContent));  // asks the new address
+  deliver(kMoved, sealed(kContent));
+  const Bytes second = answerTo(clientAt(1));
+  answer(kMoved, first);
   now_ += ServerGate::kUnconfirmedPathTime - 1ms;
-  answer(kMoved, answerTo(clientAt(1)));
   EXPECT_EQ(receiver(), clientAt(1));
+  answer(kMoved, second);
   now_ += 1ms;
   const std::size_t before = network_.sent().size();
   gate_->send(session_, kContent, now_);

@@ -158,6 +158,10 @@ TEST_F(HostLimitsTest, AConnectionInheritsNothingOfTheOneBeforeInItsPlace) {
   host_.service(now_);
   EXPECT_EQ(host_.counters().excess, 0u);
   EXPECT_EQ(mallory.peer() & ENET_PROTOCOL_MAXIMUM_PEER_ID, eve_.peer() & ENET_PROTOCOL_MAXIMUM_PEER_ID);
+  const std::uint64_t before = host_.gate().counters().seal;
+  eve_.send(pingContent(eve_.peer()), now_);
+  host_.service(now_);
+  EXPECT_EQ(host_.gate().counters().seal, before + 1) << "the session before has ended";
 }
 
 }  // namespace
