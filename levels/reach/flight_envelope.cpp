@@ -27,10 +27,15 @@ Game standingGame() {
 // Runs off the edge of the floor at the highest speed: falls from rest are measured on jumps.
 double heightOf(const Game& game) { return game.world().entities()[0].position.y / kSubunits; }
 
+// Height by which the steepest ground rises on a way of 1 along it.
+double riseOfSteepestGround() {
+  const double normalY = (double{1} * motion::kMinGroundNormalY - 1) / PlayerState::kUnit;
+  return std::sqrt(1 - normalY * normalY);
+}
+
 // Rise before a late jump: the player leaves the steepest ground at the run speed.
 double measuredSlopeGain() {
-  const double slope = double{1} * motion::kMinGroundNormalY / PlayerState::kUnit;
-  double speed = motion::kRunSpeed * std::max(0.0, std::min(1.0, std::sqrt(1 - slope * slope)));
+  double speed = motion::kRunSpeed * riseOfSteepestGround();
   double gain = 0;
   for (int tick = 0; tick <= motion::kCoyoteTicks; ++tick, speed -= motion::kGravity) gain += std::max(speed, 0.0);
   return gain / kSubunits;
@@ -64,6 +69,7 @@ FlightEnvelope::FlightEnvelope() {
   for (auto before = top; before != heights.begin(); --before) below_.push_back(*top - *(before - 1));
   below_.push_back(jumpHeight_);
   for (auto after = top; after != heights.end() - 1; ++after) fallen_.push_back(*top - *after);
+  steepestRise_ = riseOfSteepestGround();
   slopeGain_ = measuredSlopeGain();
   pushGain_ = measuredPushGain(static_cast<int>(below_.size()));
   runSpeed_ = motion::kRunSpeed / kSubunits;
@@ -81,6 +87,8 @@ double FlightEnvelope::wayAside(int ticks, double speed) const {
   const double way = slowing * speed - airFriction_ * slowing * (slowing - 1) / 2;
   return way + (ticks - slowing) * speedAfter(slowing, speed);
 }
+
+double FlightEnvelope::lateFall() const { return motion::kGravity / kSubunits * lateTicks_ * (lateTicks_ - 1) / 2; }
 
 int FlightEnvelope::riseTicks(double height) const {
   const auto found = std::lower_bound(below_.begin(), below_.end(), height);

@@ -22,6 +22,12 @@ class FlightEnvelope {
   double slideSpeed() const { return slideSpeed_; }
   /// Ticks after leaving the ground in which a jump is still possible.
   int lateTicks() const { return lateTicks_; }
+  /// Until a jump after leaving the ground: the way that a run gives, in its direction, of which the part downwards is
+  /// at most `steepestRise` of it; what gravity adds downwards; and the most downwards of both.
+  double lateWay() const { return (lateTicks_ - 1) * runSpeed_; }
+  double steepestRise() const { return steepestRise_; }
+  double lateFall() const;
+  double lateDepth() const { return lateWay() * steepestRise_ + lateFall(); }
 
   /// Horizontal speed at most after so many ticks in the air, and the way aside until then. Who has slid down a steep
   /// segment is faster than a run, until the air slows it.
@@ -40,7 +46,8 @@ class FlightEnvelope {
   double pushGain_ = 0;
   double runSpeed_ = 0;
   double slideSpeed_ = 0;
-  double airFriction_ = 0;  // of the horizontal speed, a tick
+  double steepestRise_ = 0;  // of a way of 1 along the steepest ground
+  double airFriction_ = 0;   // of the horizontal speed, a tick
   int lateTicks_ = 0;
   std::vector<double> below_;   // depth below the highest point, by ticks before it
   std::vector<double> fallen_;  // depth below the highest point, by ticks after it

@@ -12,6 +12,13 @@ constexpr double kCell = 6;                   // level units
 constexpr double kMaxHeightCells = 4e6;       // on all faces with all ups
 constexpr std::size_t kPlacesAtATime = 4096;  // between two questions whether to stop
 
+constexpr double kLeastGain = 0.5;  // of a higher rise to the same cell, level units
+
+double mostRise() {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  return envelope.jumpHeight() + envelope.pushGain() + envelope.slopeGain();
+}
+
 // Larger cells for large faces, so that memory is bounded.
 double heightCellSize(const UprightFaces& faces) {
   double area = 0;
@@ -32,6 +39,7 @@ JumpHeights::JumpHeights(const Level& level, const Options& options)
     if (stops()) return;
     grids_.emplace_back(level, faces_, node, cellSize);
     apexes_.emplace_back(grids_.back().size(), kNever);
+    dips_.emplace_back(grids_.back().size(), kNever);
     fallen_.emplace_back(grids_.back().size());
   }
   for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
@@ -45,6 +53,7 @@ void JumpHeights::search(const Level& level) {
     before = opened_;
     for (std::uint32_t node = 0; node < grids_.size(); ++node) {
       apexes_[node].assign(grids_[node].size(), kNever);
+      dips_[node].assign(grids_[node].size(), kNever);
       fallen_[node].assign(grids_[node].size(), false);
     }
     fall(0, grids_[0].cellAt(uprightOf(level.start, level.startAngle)));
@@ -116,13 +125,11 @@ bool JumpHeights::isOpen(std::uint32_t node, std::size_t cell) const {
 void JumpHeights::fall(std::uint32_t node, std::size_t cell) {
   if (!isOpen(node, cell) || fallen_[node][cell]) return;
   fallen_[node][cell] = true;
-  put({node, cell, false}, kMostHeight);
+  put({node, cell, Motion::kFall}, kMostHeight);
   const ReachGrid::Cell& here = grids_[node][cell];
-  const FlightEnvelope& envelope = FlightEnvelope::measured();
   reachesGoal_ = reachesGoal_ || here.atGoal;
   for (const ReachWall& wall : grids_[node].touched(cell)) touch(wall);
-  if (here.grounded)
-    rise(node, cell, here.highest + envelope.jumpHeight() + envelope.pushGain() + envelope.slopeGain());
+  if (here.grounded) dip(node, cell, here.highest + mostRise());
 }
 
 // A key or a plate opens its doors; from a checkpoint, a hazard brings a player to its middle.
@@ -135,26 +142,41 @@ void JumpHeights::touch(const ReachWall& wall) {
 }
 
 void JumpHeights::rise(std::uint32_t node, std::size_t cell, double apex) {
-  constexpr double leastGain = 0.5;
   if (!isOpen(node, cell) || grids_[node].rectOf(cell).low.y > apex) return;
   fall(node, cell);
   // A way along edges may sink by a cell at each of them, and nobody rises more than from the ground.
   apex = std::min(apex, grids_[node].rectOf(cell).high.y + kMostHeight);
-  if (apex < apexes_[node][cell] + leastGain) return;
+  if (apex < apexes_[node][cell] + kLeastGain) return;
   apexes_[node][cell] = apex;
-  put({node, cell, true}, apex - grids_[node].rectOf(cell).low.y);
+  put({node, cell, Motion::kRise}, apex - grids_[node].rectOf(cell).low.y);
+}
+
+// Who leaves the ground may jump a little later, and lower. `apex` follows from the ground.
+void JumpHeights::dip(std::uint32_t node, std::size_t cell, double apex) {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  const double lowest = apex - mostRise() - envelope.lateDepth();
+  if (!isOpen(node, cell) || grids_[node].rectOf(cell).high.y < lowest) return;
+  rise(node, cell, apex);
+  if (apex < dips_[node][cell] + kLeastGain) return;
+  dips_[node][cell] = apex;
+  put({node, cell, Motion::kDip}, kMostHeight);
+}
+
+// Goes on in a cell of a node in whose frame y is larger by `risen`.
+void JumpHeights::go(const Place& from, std::uint32_t node, std::size_t cell, double risen) {
+  if (from.motion == Motion::kFall) fall(node, cell);
+  if (from.motion == Motion::kRise) rise(node, cell, apexes_[from.node][from.cell] + risen);
+  if (from.motion == Motion::kDip) dip(node, cell, dips_[from.node][from.cell] + risen);
 }
 
 void JumpHeights::spread(const Place& place) {
   const auto columns = static_cast<std::size_t>(grids_[place.node].columns());
   const std::size_t cell = place.cell;
-  const auto go = [&](std::size_t to) {
-    place.rising ? rise(place.node, to, apexes_[place.node][cell]) : fall(place.node, to);
-  };
-  if (cell % columns > 0) go(cell - 1);
-  if (cell % columns + 1 < columns) go(cell + 1);
-  if (place.rising) go(cell + columns);
-  if (!place.rising && cell >= columns) go(cell - columns);
+  const bool rises = place.motion == Motion::kRise;
+  if (cell % columns > 0) go(place, place.node, cell - 1, 0);
+  if (cell % columns + 1 < columns) go(place, place.node, cell + 1, 0);
+  if (rises) go(place, place.node, cell + columns, 0);
+  if (!rises && cell >= columns) go(place, place.node, cell - columns, 0);
   cross(place);
 }
 
@@ -174,8 +196,7 @@ void JumpHeights::cross(const Place& place) {
       // row; another one where the nearest is blocked.
       const std::size_t nearest = grid.cellAt({grid.rectOf(next).middle().x, y});
       if (next != nearest && isOpen(behind.node, nearest)) continue;
-      place.rising ? rise(behind.node, next, apexes_[place.node][place.cell] + behind.shift.y)
-                   : fall(behind.node, next);
+      go(place, behind.node, next, behind.shift.y);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "levels/reach/reach_flight.h"
 #include "levels/reach/reach_grid.h"
 #include "levels/reach/upright_faces.h"
 #include "platon/game/level.h"
@@ -40,7 +41,7 @@ class JumpHeights {
   struct Place {
     std::uint32_t node;
     std::size_t cell;
-    bool rising;
+    Motion motion;
   };
   static constexpr double kNever = -1e300;
   static constexpr int kMostHeight = 100;  // level units
@@ -53,6 +54,8 @@ class JumpHeights {
   bool isOpen(std::uint32_t node, std::size_t cell) const;
   void fall(std::uint32_t node, std::size_t cell);
   void rise(std::uint32_t node, std::size_t cell, double apex);
+  void dip(std::uint32_t node, std::size_t cell, double apex);
+  void go(const Place& from, std::uint32_t node, std::size_t cell, double risen);
   void touch(const ReachWall& wall);
   void spread(const Place& place);
   void cross(const Place& place);
@@ -65,6 +68,7 @@ class JumpHeights {
   std::uint32_t opened_ = 0;  // bits of the doors that may be open
   std::vector<ReachGrid> grids_;
   std::vector<std::vector<double>> apexes_;               // of rises, by node and cell
+  std::vector<std::vector<double>> dips_;                 // apexes of what follows dips, by node and cell
   std::vector<std::vector<bool>> fallen_;                 // by node and cell
   std::array<std::vector<Place>, kMostHeight + 1> open_;  // by the height that is left to rise, the largest first
 };

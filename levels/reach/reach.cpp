@@ -37,6 +37,7 @@ Reach::Reach(const Level& level, int maxCrossings, std::vector<ElementWord> with
     reached_.emplace_back(grids_.back()->size(), kUnreached);
   }
   for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
+  startsAtDoor_ = startsAtDoor(level);
   setDoors(level);
   begin(open_);
   addFall(0, 0, start_);
@@ -48,6 +49,14 @@ Reach::Reach(const Level& level, int maxCrossings, std::vector<ElementWord> with
     resume(next.mapped());
     launchPending();
   }
+}
+
+bool Reach::startsAtDoor(const Level& level) const {
+  constexpr double reach = kApothemInUnits + 2;  // within a tick after a restart, when nobody is fast
+  const std::vector<ReachWall> walls = wallsNear(level, faces_, 0);
+  return std::any_of(walls.begin(), walls.end(), [&](const ReachWall& wall) {
+    return wall.kind == ReachWall::Kind::kDoor && distance(start_, wall.line) < reach;
+  });
 }
 
 bool Reach::opensDoors(const Element& element) const {
@@ -88,7 +97,7 @@ void Reach::begin(std::uint32_t open) {
 }
 
 // Flights go on with more doors open. Who flies may then come to a hazard, which leads back to the start or to a
-// checkpoint that was touched before.
+// checkpoint that was touched before. Who restarts shuts the doors of keys, but is in the start for a tick before.
 void Reach::resume(const std::vector<Resumed>& resumed) {
   int first = maxCrossings_;
   for (const auto& [launch, visits] : resumed) {
@@ -96,7 +105,7 @@ void Reach::resume(const std::vector<Resumed>& resumed) {
     first = std::min(first, visits.front().crossings);
     fly(ReachFlight(world(), launch, visits), launch);
   }
-  if (hasHazard_) addFall(first, 0, start_);
+  if (hasHazard_ || startsAtDoor_) addFall(first, 0, start_);
   for (const auto& [open, respawned] : respawned_) {
     if ((open & ~phase_.open) != 0) continue;
     for (const auto& [where, crossings] : respawned) respawn(std::max(crossings, first), *where.first, where.second);

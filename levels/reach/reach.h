@@ -16,12 +16,13 @@ namespace platon {
 /// not reached here with n crossings is not reached in the game with n crossings, whatever is pressed. So it proves
 /// that a level needs its crossings. A door is open from where one of its keys or plates was touched, and for ever; on
 /// levels for several players, and of more than kMostNumbers numbers those beyond, from the start. A door without keys
-/// and plates is never open.
+/// and plates is never open. More players than the level needs may get farther.
 ///
 /// What is assumed of a flight, by the rules of Player: it rises at most by the height of a jump above the ground from
-/// which it started, and by what a slope gives; it moves sideways at most at the run speed, or the slide speed after a
-/// steep segment; its time is bounded by the slowest rise and fall; no contact gives an upward speed, unless the player
-/// can stand there. reach_law_test searches the game itself for places that this denies.
+/// which it started, and by what a slope gives, also when it is late and has fallen before; it moves sideways at most
+/// at the run speed, or the slide speed after a steep segment; its time is bounded by the slowest rise and fall; no
+/// contact gives an upward speed, unless the player can stand there. reach_law_test searches the game itself for places
+/// that this denies.
 class Reach {
  public:
   /// Searches for ways with at most `maxCrossings` crossings, below 255, that touch none of the elements `without`:
@@ -58,6 +59,7 @@ class Reach {
     Respawned respawned;
   };
 
+  bool startsAtDoor(const Level& level) const;
   bool opensDoors(const Element& element) const;
   void setDoors(const Level& level);
   void begin(std::uint32_t open);
@@ -79,6 +81,7 @@ class Reach {
   std::vector<ElementWord> without_;
   Vec start_;  // in the frame of node 0
   bool hasHazard_ = false;
+  bool startsAtDoor_ = false;
   std::uint32_t open_ = 0;      // doors that are open from the start
   std::uint32_t openable_ = 0;  // doors that keys and plates open
   Phase phase_;

@@ -1,6 +1,7 @@
 #include "levels/reach/reach_flight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "platon/game/player.h"
@@ -28,6 +29,16 @@ double leftOf(const Line& line, Vec point) {
   return ::platon::cross(along, point - line.a) / length(along);
 }
 
+std::array<Vec, 4> cornersOf(const Rect& cell) {
+  return {cell.low, {cell.high.x, cell.low.y}, cell.high, {cell.low.x, cell.high.y}};
+}
+
+double leastLeftOf(const Line& line, const Rect& cell) {
+  double least = 1e300;
+  for (const Vec corner : cornersOf(cell)) least = std::min(least, leftOf(line, corner));
+  return least;
+}
+
 bool isBeside(const Line& line, Vec point) {
   const Vec along = line.b - line.a;
   const double t = dot(point - line.a, along);
@@ -39,26 +50,36 @@ bool isBeside(const Line& line, Vec point) {
 bool isStoppedBy(const Line& oneway, const Rect& from, const Rect& to) {
   const Line boundary = boundaryOf(from, to);
   if (!isBeside(oneway, boundary.a) || !isBeside(oneway, boundary.b)) return false;
-  const double before = leftOf(oneway, from.middle());
-  return before > 0 && leftOf(oneway, to.middle()) < before &&
+  return leastLeftOf(oneway, from) > 0 && leftOf(oneway, to.middle()) < leftOf(oneway, from.middle()) &&
          std::max(leftOf(oneway, boundary.a), leftOf(oneway, boundary.b)) < kOnewayDistance;
 }
 
-// Whether the middle of the cell is on the left of the segment and beside it.
-bool isOnLeft(const Line& oneway, const Rect& cell) {
-  return isBeside(oneway, cell.middle()) && leftOf(oneway, cell.middle()) > 0;
+// Whether the cell is on the left of the segment and beside it.
+bool isOnLeft(const Line& line, const Rect& cell) {
+  const auto corners = cornersOf(cell);
+  return leastLeftOf(line, cell) > 0 &&
+         std::all_of(corners.begin(), corners.end(), [&](Vec corner) { return isBeside(line, corner); });
+}
+
+// Whether a wall keeps a player with its centre in the cell on the left of the one-way segment.
+bool isHeld(const ReachOneway& oneway, const Rect& cell) {
+  return std::any_of(oneway.floors.begin(), oneway.floors.end(),
+                     [&](const Line& floor) {
+                       return isOnLeft(floor, cell) || isOnLeft({floor.b, floor.a}, cell);
+                     }) &&
+         leastLeftOf(oneway.line, cell) > 0;
 }
 
 // Whether a player with its centre in the cell may overlap the segment although it has not entered it from the left.
-bool mayOverlap(const Line& oneway, const Rect& cell) {
-  return distance(cell, oneway) < kApothemInUnits + 0.5 && leftOf(oneway, cell.middle()) < kOnewayDistance;
+bool mayOverlap(const ReachOneway& oneway, const Rect& cell) {
+  return distance(cell, oneway.line) < kApothemInUnits + 0.5 && leastLeftOf(oneway.line, cell) < kOnewayDistance &&
+         !isHeld(oneway, cell);
 }
 
 // Whether a player with its centre in the cell may be wholly on the left of the segment, or away from it.
 bool mayBeFree(const Line& oneway, const Rect& cell) {
-  const double farthest =
-      std::max({leftOf(oneway, cell.low), leftOf(oneway, cell.high), leftOf(oneway, {cell.low.x, cell.high.y}),
-                leftOf(oneway, {cell.high.x, cell.low.y})});
+  double farthest = -1e300;
+  for (const Vec corner : cornersOf(cell)) farthest = std::max(farthest, leftOf(oneway, corner));
   return farthest >= kOnewayDistance || distance(cell, oneway) >= kApothemInUnits - 3;
 }
 
@@ -68,14 +89,15 @@ ReachFlight::ReachFlight(const World& world, const ReachLaunch& launch, int cros
     : world_(world), crossings_(crossings) {
   prepare(launch);
   const std::uint32_t sheet = sheetOf(launch.node, {});
-  for (const std::uint32_t cell : launch.cells) enter(crossings, {sheet, cell, launch.rising, launch.inOneway});
+  for (const std::uint32_t cell : launch.cells)
+    enter(crossings, {sheet, cell, launch.rising ? Motion::kDip : Motion::kFall, launch.inOneway});
 }
 
 ReachFlight::ReachFlight(const World& world, const ReachLaunch& launch, std::span<const ReachVisit> visited)
     : world_(world), crossings_(visited.front().crossings) {
   prepare(launch);
   for (const ReachVisit& visit : visited)
-    enter(visit.crossings, {sheetOf(visit.node, visit.shift), visit.cell, visit.rising, visit.inOneway});
+    enter(visit.crossings, {sheetOf(visit.node, visit.shift), visit.cell, visit.motion, visit.inOneway});
 }
 
 void ReachFlight::prepare(const ReachLaunch& launch) {
@@ -85,6 +107,7 @@ void ReachFlight::prepare(const ReachLaunch& launch) {
   right_ = grid.rectOf(launch.cells.back()).high.x;
   apex_ = launch.apex;
   speed_ = launch.speed;
+  low_ = first.low.y;
   launchTicks_ = kTicks;
   if (launch.rising) launchTicks_ += envelope_.riseTicks(apex_ - first.low.y) + envelope_.lateTicks();
 }
@@ -93,9 +116,11 @@ void ReachFlight::spread(const State& state) {
   const ReachGrid& grid = gridOf(state);
   const auto columns = static_cast<std::size_t>(grid.columns());
   const std::size_t column = state.cell % columns;
-  if (state.rising) enter(crossings_, {state.sheet, state.cell, false, state.inOneway});
-  if (state.rising && state.cell + columns < grid.size()) step(state, state.cell + columns);
-  if (!state.rising && state.cell >= columns) step(state, state.cell - columns);
+  const bool rises = state.motion == Motion::kRise;
+  if (rises) enter(crossings_, {state.sheet, state.cell, Motion::kFall, state.inOneway});
+  if (state.motion == Motion::kDip) enter(crossings_, {state.sheet, state.cell, Motion::kRise, state.inOneway});
+  if (rises && state.cell + columns < grid.size()) step(state, state.cell + columns);
+  if (!rises && state.cell >= columns) step(state, state.cell - columns);
   if (column > 0) step(state, state.cell - 1U);
   if (column + 1 < columns) step(state, state.cell + 1U);
   cross(state);
@@ -105,19 +130,19 @@ void ReachFlight::spread(const State& state) {
 void ReachFlight::step(const State& from, std::size_t cell) {
   const ReachGrid& grid = gridOf(from);
   if (!grid[cell].inside) return;
-  State next{from.sheet, static_cast<std::uint32_t>(cell), from.rising, from.inOneway};
+  State next{from.sheet, static_cast<std::uint32_t>(cell), from.motion, from.inOneway};
   if (grid[cell].nearOneway || grid[from.cell].nearOneway) {
     const Rect before = grid.rectOf(from.cell);
     const Rect after = grid.rectOf(cell);
     bool overlaps = false;
     bool isFree = true;
-    for (const ReachWall& oneway : grid.oneways()) {
+    for (const ReachOneway& oneway : grid.oneways()) {
       if (!from.inOneway && isStoppedBy(oneway.line, before, after)) return;
-      overlaps = overlaps || ((from.inOneway || !isOnLeft(oneway.line, before)) && mayOverlap(oneway.line, after));
+      overlaps = overlaps || ((from.inOneway || !isOnLeft(oneway.line, before)) && mayOverlap(oneway, after));
       isFree = isFree && mayBeFree(oneway.line, after);
     }
     next.inOneway = overlaps;
-    if (isFree && overlaps) enter(crossings_, {next.sheet, next.cell, next.rising, false});
+    if (isFree && overlaps) enter(crossings_, {next.sheet, next.cell, next.motion, false});
   } else {
     next.inOneway = false;
   }
@@ -140,15 +165,15 @@ void ReachFlight::cross(const State& from) {
     std::vector<std::size_t> cells;
     world_.grids[behind.node]->findOverlapped({rect.low + behind.shift, rect.high + behind.shift}, cells);
     for (const std::size_t cell : cells) {
-      enter(crossings_ + 1, {next, static_cast<std::uint32_t>(cell), from.rising, from.inOneway});
-      if (from.inOneway) enter(crossings_ + 1, {next, static_cast<std::uint32_t>(cell), from.rising, false});
+      enter(crossings_ + 1, {next, static_cast<std::uint32_t>(cell), from.motion, from.inOneway});
+      if (from.inOneway) enter(crossings_ + 1, {next, static_cast<std::uint32_t>(cell), from.motion, false});
     }
   }
 }
 
 void ReachFlight::enter(int crossings, const State& state) {
   std::uint8_t& seen = sheets_[state.sheet].seen[state.cell];
-  const auto bit = static_cast<std::uint8_t>(1 << ((state.rising ? 2 : 0) + (state.inOneway ? 1 : 0)));
+  const auto bit = static_cast<std::uint8_t>(1 << (2 * static_cast<int>(state.motion) + (state.inOneway ? 1 : 0)));
   if ((seen & bit) != 0 || !isFree(state) || !isInTime(crossings, state)) return;
   seen = static_cast<std::uint8_t>(seen | bit);
   (crossings == crossings_ && isRunning_ ? open_ : waiting_).push_back(state);
@@ -168,7 +193,7 @@ double ReachFlight::asideOf(const State& state) const {
 
 // A fall from rest takes at least as long as the rest of this one, but for the ticks until this one began.
 bool ReachFlight::isBelow(const State& state) const {
-  return !state.rising && asideOf(state) <= envelope_.wayAside(launchTicks_, speed_);
+  return state.motion != Motion::kRise && asideOf(state) <= envelope_.wayAside(launchTicks_, speed_);
 }
 
 // Whether the flight can be in the cell in time, and no flight is known that can do as much from there.
@@ -176,20 +201,29 @@ bool ReachFlight::isInTime(int crossings, const State& state) {
   const Sheet& sheet = sheets_[state.sheet];
   const double y = gridOf(state).rectOf(state.cell).low.y - sheet.shift.y;
   if (y > apex_) return false;
-  const int ticks = launchTicks_ + (state.rising ? 0 : envelope_.fallTicks((apex_ - y) / kSlowestFall));
+  if (state.motion == Motion::kDip) return isInTimeForALateJump(state);
+  const bool rises = state.motion == Motion::kRise;
+  const int ticks = launchTicks_ + (rises ? 0 : envelope_.fallTicks((apex_ - y) / kSlowestFall));
   const double sideways = envelope_.wayAside(ticks, speed_) + kSideways;
   if (asideOf(state) > sideways) return false;
   if (state.inOneway) return true;
-  ReachKnown& known = world_.known[sheet.node][2 * state.cell + (state.rising ? 1U : 0U)];
+  ReachKnown& known = world_.known[sheet.node][2 * state.cell + (rises ? 1U : 0U)];
   const auto left = static_cast<float>(left_ - sideways + sheet.shift.x);
   const auto right = static_cast<float>(right_ + sideways + sheet.shift.x);
   const auto apex = static_cast<float>(apex_ + sheet.shift.y);
   const auto speed = static_cast<float>(envelope_.speedAfter(ticks, speed_));
-  const bool goesAsFar = state.rising ? known.apex >= apex : known.apex <= apex;
+  const bool goesAsFar = rises ? known.apex >= apex : known.apex <= apex;
   if (known.crossings <= crossings && known.left <= left && known.right >= right && known.speed >= speed && goesAsFar)
     return false;
   known = {left, right, apex, speed, static_cast<std::uint8_t>(crossings)};
   return true;
+}
+
+bool ReachFlight::isInTimeForALateJump(const State& state) const {
+  const double top = gridOf(state).rectOf(state.cell).high.y - sheets_[state.sheet].shift.y;
+  const double down = std::max(0.0, low_ - top - envelope_.lateFall());
+  const double aside = std::max(0.0, asideOf(state) - kSideways);
+  return down <= envelope_.lateWay() * envelope_.steepestRise() && length({aside, down}) <= envelope_.lateWay();
 }
 
 std::uint32_t ReachFlight::sheetOf(std::uint32_t node, Vec shift) {

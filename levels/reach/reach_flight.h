@@ -21,13 +21,16 @@ struct ReachLaunch {
   std::vector<std::uint32_t> cells;
 };
 
+/// What a player in the air does. A dip is the fall before a late jump: from there it may rise.
+enum class Motion : std::uint8_t { kFall, kRise, kDip };
+
 /// A cell that a flight visits.
 struct ReachVisit {
   std::uint32_t node = 0;
   std::uint32_t cell = 0;
   int crossings = 0;  ///< of the whole way
   Vec shift;          ///< added to a point in the frame of the launch, gives the point in that of the node
-  bool rising = false;
+  Motion motion = Motion::kFall;
   bool inOneway = false;
   bool isBelow = false;  ///< so nearly below the launch that a fall from here reaches nothing more
 };
@@ -69,7 +72,7 @@ class ReachFlight {
         open_.pop_back();
         const Sheet& sheet = sheets_[state.sheet];
         visitor(
-            ReachVisit{sheet.node, state.cell, crossings_, sheet.shift, state.rising, state.inOneway, isBelow(state)});
+            ReachVisit{sheet.node, state.cell, crossings_, sheet.shift, state.motion, state.inOneway, isBelow(state)});
         spread(state);
       }
     }
@@ -79,7 +82,7 @@ class ReachFlight {
   struct State {
     std::uint32_t sheet = 0;
     std::uint32_t cell = 0;
-    bool rising = false;
+    Motion motion = Motion::kFall;
     bool inOneway = false;
   };
   // A face in the plane into which the flight unfolds the faces.
@@ -98,6 +101,7 @@ class ReachFlight {
   bool isBelow(const State& state) const;
   double asideOf(const State& state) const;
   bool isInTime(int crossings, const State& state);
+  bool isInTimeForALateJump(const State& state) const;
   std::uint32_t sheetOf(std::uint32_t node, Vec shift);
   const ReachGrid& gridOf(const State& state) const { return *world_.grids[sheets_[state.sheet].node]; }
 
@@ -107,6 +111,7 @@ class ReachFlight {
   double right_ = 0;
   double apex_ = 0;
   double speed_ = 0;
+  double low_ = 0;       // lower side of its cells
   int launchTicks_ = 0;  // until a fall begins
   int crossings_;
   std::vector<Sheet> sheets_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "platon/game/player.h"
 #include "platon/game/player_motion.h"
@@ -19,7 +20,6 @@ constexpr double kGoalReach = kTouch + double{1} * kGoalRadius / kSubunitsPerUni
 constexpr double kGroundBelow = 5.5;
 // An end that is less below the centre touches the vertical side of the player's shape.
 constexpr double kSlowBelow = 2.2;
-constexpr double kSteepSlope = 1.19;  // tangent of a little less than 50°
 constexpr double kFlatSlope = 0.005;
 constexpr double kVerticalSlope = 100;
 // A player moves at most this far in a tick: aside by the slide speed, down by a fast fall. A contact on the way turns
@@ -31,6 +31,12 @@ const Vec kTickReach{(kSlide + std::hypot(kSlide, kFall)) / 2 + kMargin, std::hy
 constexpr double kLevel = 0.4 / PlayerState::kUnit;
 // A contact with a larger y is ground.
 constexpr double kSteepestGround = (double{1} * motion::kMinGroundNormalY + 1) / PlayerState::kUnit;
+
+// Tangent of the slope whose unit normal has this y.
+double slopeWith(double normalY) { return std::sqrt(1 - normalY * normalY) / normalY; }
+// Player rounds the normal, so that slopes between both may be ground or steep.
+const double kSteepestGroundSlope = slopeWith((double{1} * motion::kMinGroundNormalY - 1) / PlayerState::kUnit);
+const double kFlattestSteepSlope = slopeWith(kSteepestGround);
 
 double slopeOf(const Line& line) {
   const Vec along = line.b - line.a;
@@ -123,11 +129,15 @@ bool isWedge(std::span<const ReachWall* const> walls, const Rect& cell) {
   return false;
 }
 
-bool isOnEdge(Vec point, const std::vector<Vec>& polygon) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    if (distance(point, Line{polygon[i], polygon[(i + 1) % polygon.size()]}) < kMargin) return true;
+bool isOneway(const ReachWall& wall) { return wall.kind == ReachWall::Kind::kOneway; }
+
+// The part of `other` in the straight line of `line`, as lengths from its a; nothing if it is elsewhere.
+std::optional<std::pair<double, double>> spanAlong(const Line& line, const Line& other) {
+  const Vec unit = (line.b - line.a) * (1 / length(line.b - line.a));
+  for (const Vec end : {other.a, other.b}) {
+    if (std::abs(cross(unit, end - line.a)) > kMargin) return std::nullopt;
   }
-  return false;
+  return std::minmax({dot(unit, other.a - line.a), dot(unit, other.b - line.a)});
 }
 
 }  // namespace
@@ -136,7 +146,8 @@ ReachGrid::ReachGrid(const Level& level, const UprightFaces& faces, std::uint32_
     : cellSize_(cellSize) {
   markInside(faces.all()[node].polygon);
   const std::vector<ReachWall> walls = wallsNear(level, faces, node);
-  for (const ReachWall& wall : walls) add(wall, faces.all()[node].polygon);
+  for (const ReachWall& wall : walls) add(wall);
+  addOneways(walls);
   addWedges(walls);
   for (const Place& goal : level.goalPlaces) {
     if (goal.part == faces.all()[node].face) addGoal(uprightOf(goal.position, faces.all()[node].up));
@@ -206,10 +217,9 @@ void ReachGrid::visitNear(const Line& line, double reach, Visitor&& visitor) {
   for (const std::size_t cell : near) visitor(cells_[cell], rectOf(cell), cell);
 }
 
-void ReachGrid::add(const ReachWall& wall, const std::vector<Vec>& polygon) {
+void ReachGrid::add(const ReachWall& wall) {
   if (wall.own) addBlocking(wall);
   if (wall.carries) addCarrying(wall);
-  if (wall.kind == ReachWall::Kind::kOneway) addOneway(wall, polygon);
   const bool isPlate = wall.element != nullptr && wall.element->kind == ElementKind::kPlate;
   if (wall.kind != ReachWall::Kind::kTrigger && !isPlate) return;
   visitNear(wall.line, kTouch, [&](Cell&, const Rect& rect, std::size_t cell) {
@@ -217,16 +227,30 @@ void ReachGrid::add(const ReachWall& wall, const std::vector<Vec>& polygon) {
   });
 }
 
-void ReachGrid::addOneway(ReachWall wall, const std::vector<Vec>& polygon) {
-  const Vec along = wall.line.b - wall.line.a;
-  const Vec beyond = along * (3 * cellSize_ / length(along));
-  const Line line = wall.line;
-  if (isOnEdge(line.a, polygon)) wall.line.a = line.a - beyond;
-  if (isOnEdge(line.b, polygon)) wall.line.b = line.b + beyond;
-  oneways_.push_back(wall);
-  visitNear(wall.line, kTouch, [&](Cell& cell, const Rect& rect, std::size_t) {
-    if (distance(rect, wall.line) <= kTouch) cell.nearOneway = true;
-  });
+void ReachGrid::addOneways(std::span<const ReachWall> walls) {
+  const double most = 3 * cellSize_;
+  for (const ReachWall& wall : walls) {
+    if (!isOneway(wall)) continue;
+    const double own = length(wall.line.b - wall.line.a);
+    const Vec unit = (wall.line.b - wall.line.a) * (1 / own);
+    ReachOneway oneway;
+    double first = 0;
+    double last = own;
+    for (const ReachWall& other : walls) {
+      const bool isFloor = other.kind == ReachWall::Kind::kSolid;
+      const auto span = spanAlong(wall.line, other.line);
+      const bool isSame = isOneway(other) && dot(other.line.b - other.line.a, unit) > 0;
+      if ((!isFloor && !isSame) || !span || span->second < -kMargin || span->first > own + kMargin) continue;
+      first = std::min(first, span->first);
+      last = std::max(last, span->second);
+      if (isFloor) oneway.floors.push_back(other.line);
+    }
+    oneway.line = {wall.line.a + unit * std::max(first, -most), wall.line.a + unit * std::min(last, own + most)};
+    visitNear(oneway.line, kTouch, [&](Cell& cell, const Rect& rect, std::size_t) {
+      if (distance(rect, oneway.line) <= kTouch) cell.nearOneway = true;
+    });
+    oneways_.push_back(std::move(oneway));
+  }
 }
 
 void ReachGrid::addBlocking(const ReachWall& wall) {
@@ -241,12 +265,12 @@ void ReachGrid::addBlocking(const ReachWall& wall) {
 
 void ReachGrid::addCarrying(const ReachWall& wall) {
   const double slope = slopeOf(wall.line);
-  if (slope <= kSteepSlope && !isPoint(wall.line)) addGround(wall.line, slope > kFlatSlope);
+  if (slope <= kSteepestGroundSlope && !isPoint(wall.line)) addGround(wall.line, slope > kFlatSlope);
   for (const Vec end : {wall.line.a, wall.line.b}) {
     addGround({end, end}, true);
     addSlowing({end, end}, false);
   }
-  if (slope > kSteepSlope && slope < kVerticalSlope) addSlowing(wall.line, true);
+  if (slope >= kFlattestSteepSlope && slope < kVerticalSlope) addSlowing(wall.line, true);
 }
 
 void ReachGrid::addGround(const Line& line, bool sloped) {

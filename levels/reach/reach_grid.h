@@ -13,6 +13,13 @@ namespace platon {
 /// Least distance of the edges of the player's shape from its middle, in level units.
 inline constexpr double kApothemInUnits = double{1} * kPlayerApothem / kSubunitsPerUnit;
 
+/// A one-way segment within reach of a face. Where it goes straight on in another one or in a wall, for instance over
+/// an edge, its line is longer than it is, so that no cell goes between them.
+struct ReachOneway {
+  Line line;
+  std::vector<Line> floors;  ///< walls in the same straight line that it touches
+};
+
 /// An upright face divided into square cells: where the centre of a player can be, and what it can touch there. Every
 /// answer errs on the side of the player: what is impossible here is impossible in the game.
 class ReachGrid {
@@ -43,16 +50,14 @@ class ReachGrid {
   void findOverlapped(const Rect& rect, std::vector<std::size_t>& found) const;
   /// The triggers and plates that a player in the cell may touch.
   std::span<const ReachWall> touched(std::size_t cell) const;
-  /// The one-way segments within reach. Those that end on an edge of the face are longer here, so that no cell goes
-  /// round their ends.
-  const std::vector<ReachWall>& oneways() const { return oneways_; }
+  const std::vector<ReachOneway>& oneways() const { return oneways_; }
 
  private:
   template <class Visitor>
   void visitNear(const Line& line, double reach, Visitor&& visitor);
   void markInside(const std::vector<Vec>& polygon);
-  void add(const ReachWall& wall, const std::vector<Vec>& polygon);
-  void addOneway(ReachWall wall, const std::vector<Vec>& polygon);
+  void add(const ReachWall& wall);
+  void addOneways(std::span<const ReachWall> walls);
   void addBlocking(const ReachWall& wall);
   void addGround(const Line& line, bool sloped);
   void addSlowing(const Line& line, bool steep);
@@ -65,7 +70,7 @@ class ReachGrid {
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
   std::vector<Cell> cells_;
-  std::vector<ReachWall> oneways_;
+  std::vector<ReachOneway> oneways_;
   std::unordered_map<std::size_t, std::vector<ReachWall>> touched_;
 };
 

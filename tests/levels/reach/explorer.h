@@ -58,11 +58,12 @@ class Explorer {
     const auto draw = random_.below(16);
     const auto aside = draw < 6 ? Input::kLeft : draw < 12 ? Input::kRight : std::uint8_t{0};
     const auto jump = random_.below(2) == 0 ? Input::kJump : std::uint8_t{0};
-    const auto other = random_.below(12);
-    const auto rare = other == 0   ? Input::kDown
-                      : other == 1 ? Input::kWalk
-                      : other == 2 ? Input::kCreep
-                                   : std::uint8_t{0};
+    const auto other = random_.below(48);
+    const auto rare = other < 4     ? Input::kDown
+                      : other < 8   ? Input::kWalk
+                      : other < 12  ? Input::kCreep
+                      : other == 12 ? Input::kRestart
+                                    : std::uint8_t{0};
     buttons_ = static_cast<std::uint8_t>(Input::kPresent | aside | jump | rare);
   }
 
