@@ -1,6 +1,7 @@
 // What clients can use up, and those who try.
 #include <gtest/gtest.h>
 
+#include "protocol/limits.h"
 #include "server/net/host.h"
 #include "tests/server/net/host_fixture.h"
 
