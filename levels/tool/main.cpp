@@ -13,6 +13,19 @@
 
 namespace {
 
+// Reads what follows --without. A checkpoint has no number: what follows it is the file.
+void readWithout(const platon::ProgramOptions& program, std::vector<std::string> words, platon::SolveOptions& solving) {
+  if (words.empty()) return;
+  if (words.front() == "checkpoint" && words.size() > 1 && solving.file.empty()) {
+    solving.file = words.back();
+    words.pop_back();
+  }
+  const std::string word = words.front() + (words.size() > 1 ? " " + words.back() : "");
+  solving.without = platon::needOf(word);
+  if (!solving.without)
+    program.refuse("--without: '" + word + "' is no key K or plate K with K from 0 to 31, and no checkpoint");
+}
+
 int run(int argc, char** argv) {
   using Option = platon::ProgramOptions::Option;
   platon::ProgramOptions program("platon-level",
@@ -64,17 +77,7 @@ int run(int argc, char** argv) {
   solve.addFlag("--json", solving.json, "Print one JSON object to stdout");
 
   if (!program.read(argc, argv)) return 0;
-  if (!without.empty()) {
-    // A checkpoint has no number: what follows is the file.
-    if (without.front() == "checkpoint" && without.size() > 1 && solving.file.empty()) {
-      solving.file = without.back();
-      without.pop_back();
-    }
-    const std::string word = without.front() + (without.size() > 1 ? " " + without.back() : "");
-    solving.without = platon::needOf(word);
-    if (!solving.without)
-      program.refuse("--without: '" + word + "' is no key K or plate K with K from 0 to 31, and no checkpoint");
-  }
+  readWithout(program, without, solving);
   if (solve.given() && solving.file.empty()) program.refuse("solve: FILE is missing");
   if (solve.given()) return platon::solveLevel(solving);
   if (preview.given()) return platon::previewLevel(level, picture, width);
