@@ -28,10 +28,7 @@ Game standingGame() {
 double heightOf(const Game& game) { return game.world().entities()[0].position.y / kSubunits; }
 
 // Height by which the steepest ground rises on a way of 1 along it.
-double riseOfSteepestGround() {
-  const double normalY = (double{1} * motion::kMinGroundNormalY - 1) / PlayerState::kUnit;
-  return std::sqrt(1 - normalY * normalY);
-}
+double riseOfSteepestGround() { return std::sqrt(1 - kSteepestGroundNormalY * kSteepestGroundNormalY); }
 
 // Rise before a late jump: the player leaves the steepest ground at the run speed.
 double measuredSlopeGain() {

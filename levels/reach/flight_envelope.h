@@ -2,7 +2,13 @@
 
 #include <vector>
 
+#include "platon/game/player.h"
+#include "platon/game/player_motion.h"
+
 namespace platon {
+
+/// y of the unit normal of the steepest ground. Player rounds normals, so that some that are as steep are none.
+inline constexpr double kSteepestGroundNormalY = (double{1} * motion::kMinGroundNormalY - 1) / PlayerState::kUnit;
 
 /// How far a player can get in the air, in level units and ticks. Measured on the game itself, once, so that no rule is
 /// written a second time.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "levels/reach/flight_envelope.h"
 #include "platon/game/player.h"
 #include "platon/game/player_motion.h"
 
@@ -35,7 +36,7 @@ constexpr double kSteepestGround = (double{1} * motion::kMinGroundNormalY + 1) /
 // Tangent of the slope whose unit normal has this y.
 double slopeWith(double normalY) { return std::sqrt(1 - normalY * normalY) / normalY; }
 // Player rounds the normal, so that slopes between both may be ground or steep.
-const double kSteepestGroundSlope = slopeWith((double{1} * motion::kMinGroundNormalY - 1) / PlayerState::kUnit);
+const double kSteepestGroundSlope = slopeWith(kSteepestGroundNormalY);
 const double kFlattestSteepSlope = slopeWith(kSteepestGround);
 
 double slopeOf(const Line& line) {
