@@ -2,7 +2,7 @@
 """Draws faults at random lines of the product, and counts those that the tests catch.
 
 usage: draw.py [--seed S] [--count N] [--only K]… [--lane LABEL]… [--narrow] [--everything] [--list] [--seconds T]
-               [--least PERCENT] [--jobs N] [--json FILE] [--build DIR] [ROOT]
+               [--minutes M] [--least PERCENT] [--jobs N] [--json FILE] [--build DIR] [ROOT]
 
 --seed S        the numbers that are drawn follow from it; by default today's date, as 20261231.
 --count N       try the faults 1 to N, by default 60.
@@ -11,6 +11,7 @@ usage: draw.py [--seed S] [--count N] [--only K]… [--lane LABEL]… [--narrow]
 --narrow        run only the tests of the changed file and of its folder.
 --everything    also run long tests, and those that need a display.
 --seconds T     without --everything, run no test that takes longer, by default 30 s.
+--minutes M     begin no further fault after so many minutes of trials. The report says how many were tried.
 --least PERCENT exit 1 if fewer are caught or explained, by default 92.
 --jobs N        try so many faults at a time, by default one for each processor.
 --json FILE     append each result as a line. Faults that the file has are not tried again.
@@ -176,6 +177,7 @@ def parse(arguments):
     parser.add_argument("--everything", action="store_true")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--seconds", type=float, default=30)
+    parser.add_argument("--minutes", type=float, default=float("inf"))
     parser.add_argument("--least", type=float, default=92)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--json", type=Path)
@@ -217,9 +219,12 @@ def main(arguments):
     tests = chosen_tests(suite, options)
     print(f"seed {options.seed}, {len(tests)} tests", flush=True)
     trial = Trial(build, suite, tests, options.narrow)
+    end = time.monotonic() + 60 * options.minutes
 
     def attempt(number):
         start = time.monotonic()
+        if start > end:
+            return
         found = trial.result(faults.drawn(number))
         if found:
             report.add(*found, time.monotonic() - start)
