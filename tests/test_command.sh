@@ -107,7 +107,10 @@ run_lanes() {
     run_lane release release all
     run_lane address-and-undefined asan-ubsan outside
   else
+    local drawn=$root/build/release/drawn_faults.txt
+    rm -f "$drawn"
     run_lane release release
+    lines+=("drawn faults, $(cat "$drawn" 2>/dev/null || printf 'none tried')")
     run_lane address-and-undefined asan-ubsan sanitized
   fi
   run_lane threads tsan threads

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws faults at random lines of the product, and counts those that the tests catch.
 
-usage: draw.py [--seed S] [--count N] [--only K]… [--lane LABEL]… [--narrow] [--everything] [--list] [--seconds T]
-               [--minutes M] [--least PERCENT] [--jobs N] [--json FILE] [--build DIR] [ROOT]
+usage: draw.py [--seed S] [--count N] [--only K]… [--lane LABEL]… [--narrow] [--everything] [--brief] [--list]
+               [--seconds T] [--minutes M] [--least PERCENT] [--jobs N] [--json FILE] [--summary FILE] [--build DIR] [ROOT]
 
 --seed S        the numbers that are drawn follow from it; by default today's date, as 20261231.
 --count N       try the faults 1 to N, by default 60.
@@ -10,11 +10,13 @@ usage: draw.py [--seed S] [--count N] [--only K]… [--lane LABEL]… [--narrow]
 --lane LABEL    run only tests with this label of ctest; may be repeated.
 --narrow        run only the tests of the changed file and of its folder.
 --everything    also run long tests, and those that need a display.
+--brief         let tests repeat only as often as with `./platon test --all`.
 --seconds T     without --everything, run no test that takes longer, by default 30 s.
 --minutes M     begin no further fault after so many minutes of trials. The report says how many were tried.
 --least PERCENT exit 1 if fewer are caught or explained, by default 92.
 --jobs N        try so many faults at a time, by default one for each processor.
 --json FILE     append each result as a line. Faults that the file has are not tried again.
+--summary FILE  write the rate there, too.
 --list          print the faults without trying them; those that do not compile, too.
 --build DIR     a build with the preset `faults`, by default build/faults. It is made, or brought up to date.
 
@@ -148,15 +150,15 @@ class Report:
             print(described(entry), flush=True)
 
     def rate(self, numbers):
-        """The share that is caught or explained, per cent."""
+        """The share that is caught or explained, per cent, and a line that says it."""
         found = [self.results[number]["verdict"] for number in numbers if number in self.results]
         counts = {verdict: found.count(verdict) for verdict in ("caught", "explained", "survived")}
         rate = 100 * (1 - counts["survived"] / len(found)) if found else 0.0
-        print(
+        summary = (
             f"seed {self._seed}: {counts['caught']} caught, {counts['explained']} explained, {counts['survived']} survived "
             f"of {len(found)} faults: {rate:.1f} %"
         )
-        return rate
+        return rate, summary
 
 
 def described(entry):
@@ -175,12 +177,14 @@ def parse(arguments):
     parser.add_argument("--lane", action="append", default=[])
     parser.add_argument("--narrow", action="store_true")
     parser.add_argument("--everything", action="store_true")
+    parser.add_argument("--brief", action="store_true")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--seconds", type=float, default=30)
     parser.add_argument("--minutes", type=float, default=float("inf"))
     parser.add_argument("--least", type=float, default=92)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--json", type=Path)
+    parser.add_argument("--summary", type=Path)
     parser.add_argument("--build", type=Path)
     parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parents[2])
     return parser.parse_args(arguments)
@@ -215,7 +219,7 @@ def main(arguments):
             print(f"{number} {fault.file}:{fault.line} {fault.operator}\n  - {fault.original}\n  + {fault.changed}")
         return 0
     report = Report(options.seed, explained(), options.json)
-    suite = TestSuite(build, root)
+    suite = TestSuite(build, root, options.brief)
     tests = chosen_tests(suite, options)
     print(f"seed {options.seed}, {len(tests)} tests", flush=True)
     trial = Trial(build, suite, tests, options.narrow)
@@ -231,7 +235,11 @@ def main(arguments):
 
     with ThreadPoolExecutor(options.jobs) as pool:
         list(pool.map(attempt, [number for number in numbers if number not in report.results]))
-    return 0 if report.rate(numbers) >= options.least else 1
+    rate, summary = report.rate(numbers)
+    print(summary)
+    if options.summary:
+        options.summary.write_text(summary + "\n", encoding="utf-8")
+    return 0 if rate >= options.least else 1
 
 
 if __name__ == "__main__":

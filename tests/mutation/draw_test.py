@@ -167,7 +167,9 @@ class Reports(unittest.TestCase):
             report.add(draw.Drawn(number, "a.cpp", 1, "constant", "x", changed, "text"), {"stage": "wide", "test": None}, 1)
         caught = {"stage": "narrow", "test": "a_test", "how": "fails"}
         report.add(draw.Drawn(3, "a.cpp", 1, "constant", "x", "z", "text"), caught, 1)
-        self.assertAlmostEqual(report.rate([1, 2, 3]), 200 / 3)
+        rate, summary = report.rate([1, 2, 3])
+        self.assertAlmostEqual(rate, 200 / 3)
+        self.assertEqual(summary, "seed 7: 1 caught, 1 explained, 1 survived of 3 faults: 66.7 %")
         self.assertEqual(draw.Report(7, {}, file).results, report.results)
         self.assertEqual(draw.Report(8, {}, file).results, {})
 

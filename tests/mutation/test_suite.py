@@ -17,7 +17,7 @@ from shared_build import BuildError
 
 MIN_LIMIT = 20  # seconds
 LIMIT_FACTOR = 4  # times the usual time
-TIMES = "drawn_faults.json"
+TIMES = {False: "drawn_faults.json", True: "drawn_faults_brief.json"}  # by whether the tests are brief
 NEVER = {"package", "fuzz", "structure"}  # labels
 BY_HAND = re.compile(r"mutation_|drawn_faults|tidy")
 
@@ -40,11 +40,12 @@ def properties_of(entry):
 
 
 class TestSuite:
-    """Runs tests as ctest would, each in folders of its own."""
+    """Runs tests as ctest would, each in folders of its own. Brief tests repeat as in `./platon test --all`."""
 
-    def __init__(self, build, root):
+    def __init__(self, build, root, brief=False):
         self._build = build
         self._root = root
+        self._brief = brief
         self._sources = {path.stem: path for path in (root / "tests").rglob("*_test.cpp")}
         self.tests = [test for test in self._read() if test.loaded]
         self._times_lock = threading.Lock()
@@ -104,6 +105,8 @@ class TestSuite:
     def _environment(self, test, overlay, place):
         """Its temporary files have a short path, since those of sockets must be short."""
         environment = {name: value for name, value in os.environ.items() if name not in ("PLATON_BRIEF", "PLATON_LONG")}
+        if self._brief:
+            environment["PLATON_BRIEF"] = "1"
         home = test.environment.get("HOME")
         for name, value in test.environment.items():
             environment[name] = value.replace(home, str(place / "h"), 1) if home and value.startswith(home) else value
@@ -163,8 +166,11 @@ class TestSuite:
             list(pool.map(lambda test: self._measure(test, longest), stale))
         return [test for test in tests if not self.is_sound(test)]
 
+    def _times_file(self):
+        return self._build.directory / TIMES[self._brief]
+
     def _known(self):
-        path = self._build.directory / TIMES
+        path = self._times_file()
         return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
 
     def _measure(self, test, longest):
@@ -179,7 +185,7 @@ class TestSuite:
             self._times[test.name] = {
                 "stamp": self._stamp(test), "seconds": round(seconds, 2), "passes": failure is None, "failure": failure,
             }  # fmt: skip
-            (self._build.directory / TIMES).write_text(json.dumps(self._times, indent=1), encoding="utf-8")
+            self._times_file().write_text(json.dumps(self._times, indent=1), encoding="utf-8")
 
     def _stamp(self, test):
         files = [*test.loaded, *([test.program] if test.program else [])]
