@@ -70,8 +70,8 @@ def check_paths(prefix, *places):
 def check_requests(prefix, folder):
     """find_package accepts the right version and components, and refuses others."""
     for number, (request, accepted) in enumerate((
-        ("0.1 COMPONENTS physics", True), ("0.1 COMPONENTS exact game", True), ("0.1 OPTIONAL_COMPONENTS sound", True),
-        ("0.2", False), ("0.0.9", False), ("1", False), ("0.1 COMPONENTS sound", False),
+        ("0.2 COMPONENTS physics", True), ("0.2 COMPONENTS exact game", True), ("0.2 OPTIONAL_COMPONENTS sound", True),
+        ("0.3", False), ("0.1", False), ("1", False), ("0.2 COMPONENTS sound", False),
     )):  # fmt: skip
         source = folder / f"request{number}"
         source.mkdir()
