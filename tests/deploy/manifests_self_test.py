@@ -48,6 +48,14 @@ class Manifests(unittest.TestCase):
         self.manifests["fleet.yaml"]["spec"]["replicas"] = True
         self.assertEqual(len(self.shapes()), 3)
 
+    def test_a_field_that_agones_requires_is_missed(self):
+        del server_of(self.manifests)["template"]["spec"]["containers"][0]["name"]
+        self.assertEqual(self.shapes(), ["fleet.yaml: Fleet.spec.template.spec.template.spec.containers[] lacks name"])
+
+    def test_another_kind_is_an_error(self):
+        self.manifests["fleet.yaml"]["apiVersion"] = "agones.dev/v2"
+        self.assertEqual(self.shapes(), ["fleet.yaml: must be Fleet of agones.dev/v1"])
+
     def test_a_short_grace_period_is_an_error(self):
         server_of(self.manifests)["template"]["spec"]["terminationGracePeriodSeconds"] = 569
         self.assertEqual(self.claims(), ["the grace period covers the drain"])

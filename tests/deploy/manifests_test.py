@@ -3,11 +3,7 @@
 
 usage: manifests_test.py ROOT BUILD. Each error is a line `file: what`; exit 1 if there is any.
 
-The fields, their types and which must be there were compared with the schemas of github.com/googleforgames/agones at
-b19d5fe, which is 1.57.0 in development: install/yaml/install.yaml for Fleet and FleetAutoscaler, and
-pkg/apis/allocation/v1/gameserverallocation.go for GameServerAllocation, which has no schema. Those of PodMonitor are from
-the documentation of the Prometheus Operator. Of the Pod, only what the manifests use. Image, buffer size and the
-specification of a server are optional there, and must be there here.
+agones_fields.txt has the fields, their types and which must be there, and names its sources.
 """
 
 import re
@@ -27,136 +23,68 @@ RULE_COMMAND = re.compile(r"(?m)^ *(\(printf .*alerts\.yaml\)) \| kubectl apply 
 STOP_SECONDS = 30
 
 
-class Map:
-    """A mapping with these fields, some of which must be there."""
-
-    def __init__(self, fields, required=()):
-        self.fields, self.required = fields, required
-
-
-class Every:
-    """A mapping with any keys (`keys` dict) or a list, whose values follow one rule."""
-
-    def __init__(self, kind, rule):
-        self.kind, self.rule = kind, rule
-
-
-class One:
-    """One of some texts."""
-
-    def __init__(self, *texts):
-        self.texts = texts
-
-
-LABELS = Every(dict, str)
-METADATA = Map({"name": str, "labels": LABELS})
-PERCENT = (int, str)
-RESOURCES = Map({"cpu": str, "memory": str})
-COUNTER = Map({"count": int, "capacity": int})
-CONTAINER = Map(
-    {
-        "name": str, "image": str, "command": Every(list, str), "args": Every(list, str),
-        "ports": Every(list, Map({"name": str, "containerPort": int, "protocol": One("TCP", "UDP")}, ("containerPort",))),
-        "resources": Map({"requests": RESOURCES, "limits": RESOURCES}),
-        "securityContext": Map({"allowPrivilegeEscalation": bool, "readOnlyRootFilesystem": bool, "capabilities": Map({"drop": Every(list, str)})}),
-        "volumeMounts": Every(list, Map({"name": str, "mountPath": str, "readOnly": bool}, ("name", "mountPath"))),
-    },
-    ("name", "image"),
-)  # fmt: skip
-VOLUME = Map(
-    {"name": str, "secret": Map({"secretName": str, "defaultMode": int}), "emptyDir": Map({"medium": str, "sizeLimit": str})},
-    ("name",),
-)
-SECCOMP = Map({"type": One("RuntimeDefault", "Localhost", "Unconfined"), "localhostProfile": str}, ("type",))
-POD = Map(
-    {
-        "terminationGracePeriodSeconds": int,
-        "securityContext": Map({"runAsNonRoot": bool, "runAsUser": int, "fsGroup": int, "seccompProfile": SECCOMP}),
-        "containers": Every(list, CONTAINER),
-        "volumes": Every(list, VOLUME),
-    },
-    ("containers",),
-)
-GAME_SERVER = Map(
-    {
-        "ports": Every(
-            list,
-            Map({"name": str, "portPolicy": One("Dynamic", "Static", "Passthrough", "None"), "containerPort": int, "protocol": One("UDP", "TCP", "TCPUDP")}),
-        ),
-        "health": Map({"disabled": bool, "initialDelaySeconds": int, "periodSeconds": int, "failureThreshold": int}),
-        "counters": Every(dict, COUNTER),
-        "eviction": Map({"safe": One("Always", "OnUpgrade", "Never")}),
-        "template": Map({"metadata": Map({"labels": LABELS}), "spec": POD}, ("spec",)),
-    },
-    ("template",),
-)
-FLEET = Map(
-    {
-        "replicas": int,
-        "scheduling": One("Packed", "Distributed"),
-        "strategy": Map({"type": One("Recreate", "RollingUpdate"), "rollingUpdate": Map({"maxSurge": PERCENT, "maxUnavailable": PERCENT})}),
-        "template": Map({"metadata": Map({"labels": LABELS}), "spec": GAME_SERVER}, ("spec",)),
-    },
-    ("template",),
-)
-AUTOSCALER = Map(
-    {
-        "fleetName": str,
-        "policy": Map({"type": One("Buffer"), "buffer": Map({"bufferSize": PERCENT, "minReplicas": int, "maxReplicas": int}, ("maxReplicas", "bufferSize"))}, ("type",)),
-        "sync": Map({"type": One("FixedInterval"), "fixedInterval": Map({"seconds": int}, ("seconds",))}, ("type",)),
-    },
-    ("fleetName", "policy"),
-)
-SELECTOR = Map({"matchLabels": LABELS, "gameServerState": One("Ready", "Allocated"), "counters": Every(dict, Map({"minAvailable": int}))})
-ALLOCATION = Map(
-    {
-        "scheduling": One("Packed", "Distributed"),
-        "priorities": Every(list, Map({"type": One("Counter", "List"), "key": str, "order": One("Ascending", "Descending")}, ("type", "key"))),
-        "selectors": Every(list, SELECTOR),
-        "counters": Every(dict, Map({"action": One("Increment", "Decrement"), "amount": int})),
-    }
-)
-RELABELING = Map({"targetLabel": str, "replacement": str})
-ENDPOINT = Map({"port": str, "path": str, "interval": str, "relabelings": Every(list, RELABELING)})
-MONITOR = Map({"selector": Map({"matchLabels": LABELS}), "podMetricsEndpoints": Every(list, ENDPOINT)}, ("selector", "podMetricsEndpoints"))
-KINDS = {
-    "fleet.yaml": ("agones.dev/v1", "Fleet", FLEET),
-    "fleet_autoscaler.yaml": ("autoscaling.agones.dev/v1", "FleetAutoscaler", AUTOSCALER),
-    "gameserver_allocation.yaml": ("allocation.agones.dev/v1", "GameServerAllocation", ALLOCATION),
-    "pod_monitor.yaml": ("monitoring.coreos.com/v1", "PodMonitor", MONITOR),
+# What the checks below look at must be there, also where the source lets it away.
+NEEDED = {
+    "Fleet": ("metadata", "spec"),
+    "FleetAutoscaler": ("metadata", "spec"),
+    "FleetAutoscaler.spec.policy.buffer": ("bufferSize", "minReplicas"),
+    "Fleet.spec.template.spec.template.spec.containers[]": ("image", "args"),
 }
+KINDS = {
+    "fleet.yaml": ("agones.dev/v1", "Fleet"),
+    "fleet_autoscaler.yaml": ("autoscaling.agones.dev/v1", "FleetAutoscaler"),
+    "gameserver_allocation.yaml": ("allocation.agones.dev/v1", "GameServerAllocation"),
+    "pod_monitor.yaml": ("monitoring.coreos.com/v1", "PodMonitor"),
+}
+TYPES = {"string": str, "integer": int, "boolean": bool, "object": dict, "map": dict, "list": list, "int-or-string": (int, str)}
 
 
-def faults(value, rule, where):
-    """What of a value its rule does not allow."""
-    if isinstance(rule, Map):
-        if not isinstance(value, dict):
-            yield f"{where} must be a mapping"
-            return
-        yield from (f"{where} lacks {name}" for name in rule.required if name not in value)
-        for name, part in value.items():
-            if name in rule.fields:
-                yield from faults(part, rule.fields[name], f"{where}.{name}")
-            else:
-                yield f"{where}.{name} is no field"
-    elif isinstance(rule, Every):
-        if not isinstance(value, rule.kind):
-            yield f"{where} must be a {rule.kind.__name__}"
-            return
-        for name, part in value.items() if rule.kind is dict else enumerate(value):
-            yield from faults(part, rule.rule, f"{where}.{name}")
-    elif isinstance(rule, One):
-        if value not in rule.texts:
-            yield f"{where} must be one of {', '.join(rule.texts)}"
-    elif not isinstance(value, rule) or (rule is int and isinstance(value, bool)):
-        yield f"{where} has the wrong type"
+def fields_of(text):
+    """For each path of the file: the types of the fields of this object by their names, or the type of an element."""
+    lines = (line.split() for line in text.splitlines() if not line.startswith("#"))
+    return {path: words[0] if ":" not in words[0] else dict(word.split(":") for word in words) for path, *words in lines}
+
+
+FIELDS = fields_of(Path(__file__).with_name("agones_fields.txt").read_text(encoding="utf-8"))
+
+
+def has_type(value, kind):
+    if kind not in TYPES:
+        return value in kind.split("|")
+    return isinstance(value, TYPES[kind]) and isinstance(value, bool) == (kind == "boolean")
+
+
+def faults(value, kind, path):
+    """What of a value of this type the fields do not allow."""
+    if not has_type(value, kind):
+        yield f"{path} must be {kind}"
+    elif kind == "object":
+        yield from object_faults(value, path)
+    elif kind in ("map", "list"):
+        element = path + ("{}" if kind == "map" else "[]")
+        inner = FIELDS.get(element)
+        for part in value.values() if kind == "map" else value:
+            yield from faults(part, inner if isinstance(inner, str) else "object", element)
+
+
+def object_faults(value, path):
+    fields = FIELDS.get(path, {})
+    kinds = {name.removesuffix("!"): kind for name, kind in fields.items()}
+    required = {name[:-1] for name in fields if name.endswith("!")} | set(NEEDED.get(path, ()))
+    yield from (f"{path} lacks {name}" for name in sorted(required - value.keys()))
+    for name, part in value.items():
+        if name in kinds:
+            yield from faults(part, kinds[name], f"{path}.{name}")
+        else:
+            yield f"{path}.{name} is no field"
 
 
 def shape_faults(manifests):
-    for name, (version, kind, rule) in KINDS.items():
-        head = {"apiVersion": One(version), "kind": One(kind), "metadata": METADATA, "spec": rule}
-        required = ("apiVersion", "kind", "spec") + (() if kind == "GameServerAllocation" else ("metadata",))
-        yield from (f"{name}: {fault}" for fault in faults(manifests[name], Map(head, required), kind))
+    for name, (version, kind) in KINDS.items():
+        manifest = manifests[name]
+        if (manifest.get("apiVersion"), manifest.get("kind")) != (version, kind):
+            yield f"{name}: must be {kind} of {version}"
+        yield from (f"{name}: {fault}" for fault in faults(manifest, "object", kind))
 
 
 def options_of(container):
