@@ -56,6 +56,18 @@ class Manifests(unittest.TestCase):
         self.manifests["fleet.yaml"]["apiVersion"] = "agones.dev/v2"
         self.assertEqual(self.shapes(), ["fleet.yaml: must be Fleet of agones.dev/v1"])
 
+    def test_an_allocation_of_any_release_is_an_error(self):
+        """An update refilled old servers for ever."""
+        for selector in self.manifests["gameserver_allocation.yaml"]["spec"]["selectors"]:
+            with self.subTest(selector["gameServerState"]):
+                release = selector["matchLabels"].pop(manifests_test.RELEASE)
+                self.assertEqual(self.claims(), ["the allocation chooses the release"])
+                selector["matchLabels"][manifests_test.RELEASE] = release
+
+    def test_servers_without_the_label_of_their_release_are_an_error(self):
+        del self.manifests["fleet.yaml"]["spec"]["template"]["metadata"]["labels"][manifests_test.RELEASE]
+        self.assertIn("the release is that of this tree", self.claims())
+
     def test_a_short_grace_period_is_an_error(self):
         server_of(self.manifests)["template"]["spec"]["terminationGracePeriodSeconds"] = 569
         self.assertEqual(self.claims(), ["the grace period covers the drain"])

@@ -19,6 +19,8 @@ RULES = "deploy/monitoring/alerts.yaml"
 PAGE = "docs/fleet.md"
 # The command of the page that makes a PrometheusRule of the rules.
 RULE_COMMAND = re.compile(r"(?m)^ *(\(printf .*alerts\.yaml\)) \| kubectl apply -f -$")
+# The label of a server that tells its release: an update that does not change it would send players to old servers for ever.
+RELEASE = "app.kubernetes.io/version"
 # Besides the drain, the server needs at most this long to stop, seconds (docs/hosting.md).
 STOP_SECONDS = 30
 
@@ -111,6 +113,7 @@ def agreement_faults(manifests, constants):
     health = server["health"]
     mounts = {mount["name"] for mount in container["volumeMounts"]}
     labels = server["template"]["metadata"]["labels"]
+    release = fleet["spec"]["template"]["metadata"]["labels"].get(RELEASE)
     wanted = {
         "the grace period covers the drain": pod["terminationGracePeriodSeconds"] >= int(options["drain"]) + STOP_SECONDS,
         "machines are emptied in less than ten minutes": pod["terminationGracePeriodSeconds"] < 600,
@@ -121,7 +124,10 @@ def agreement_faults(manifests, constants):
         "two pings fit into a period": health["periodSeconds"] >= 2 * constants["kHealthInterval"],
         "the fleet of the autoscaler exists": autoscaler["fleetName"] == fleet["metadata"]["name"],
         "the autoscaler keeps the fleet": autoscaler["policy"]["buffer"]["minReplicas"] <= fleet["spec"]["replicas"] <= autoscaler["policy"]["buffer"]["maxReplicas"],
-        "the allocation chooses the fleet": all(one["matchLabels"] == {"agones.dev/fleet": fleet["metadata"]["name"]} for one in allocation["selectors"]),
+        "the allocation chooses the fleet": all(one["matchLabels"].get("agones.dev/fleet") == fleet["metadata"]["name"] for one in allocation["selectors"]),
+        "the allocation chooses the release": all(one["matchLabels"].get(RELEASE) == release for one in allocation["selectors"]),
+        "the release is that of this tree": release == constants["version"],
+        "the image is of the release": container["image"].endswith(f":{release}"),
         "the allocation counts players": set(allocation["counters"]) == set(server["counters"]) == {"players"},
         "the metrics are where they are read": metrics[monitor["podMetricsEndpoints"][0]["port"]] == int(options["metrics"].rsplit(":", 1)[1]),
         "the monitor finds the pods": monitor["selector"]["matchLabels"].items() <= labels.items(),
@@ -146,6 +152,7 @@ def constants_of(root):
         "kRoundTicks": number("shared/include/platon/game/game.h", r"kRoundTicks = (\d+) \* 60") * 60 * 60,
         "kHealthInterval": number("server/fleet/agones_schedule.h", r"kHealthInterval\{(\d+)\}"),
         "job": re.search(r'up\{job="(\w+)"\}', (root / RULES).read_text(encoding="utf-8"))[1],
+        "version": re.search(r"project\(platon VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8"))[1],
         "cpu": float(cells[5]),
         "memory": float(cells[6]),
     }
