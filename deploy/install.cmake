@@ -52,6 +52,18 @@ install(DIRECTORY ${levels}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/platon/levels 
         PATTERN check EXCLUDE PATTERN drawing EXCLUDE PATTERN picture EXCLUDE PATTERN reach EXCLUDE PATTERN solve EXCLUDE
         PATTERN tool EXCLUDE)
 
+# The pages and what they link to, in folders as here, so that the links lead there. Links to files would be installed as
+# links.
+set(PLATON_DOC_FOLDER ${CMAKE_INSTALL_DOCDIR} CACHE STRING "Folder for the pages")
+file(REAL_PATH ${PROJECT_SOURCE_DIR}/docs pages)
+cmake_path(GET pages PARENT_PATH tree)
+install(DIRECTORY ${pages} DESTINATION ${PLATON_DOC_FOLDER} COMPONENT data
+        FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg PATTERN *.gif)
+install(FILES ${tree}/README.md ${tree}/CHANGELOG.md ${tree}/CONTRIBUTING.md ${tree}/SECURITY.md
+        DESTINATION ${PLATON_DOC_FOLDER} COMPONENT data)
+install(FILES ${tree}/tests/client/gl/golden/elements.png
+        DESTINATION ${PLATON_DOC_FOLDER}/tests/client/gl/golden COMPONENT data)
+
 # What a desktop knows of the client.
 set(desktop ${CMAKE_CURRENT_LIST_DIR}/desktop)
 install(FILES ${desktop}/platon.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT client)

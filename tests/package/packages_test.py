@@ -19,6 +19,7 @@ from pathlib import Path
 
 from baseline import later_instructions
 from containerfile import LOOPBACK_UP
+from shipped_docs_test import broken_links
 
 TOOLS = ("mmdebstrap", "systemd-nspawn", "dpkg-buildpackage", "dpkg-deb", "lintian")
 INCLUDED = "ca-certificates,dbus,systemd,systemd-sysv"
@@ -45,6 +46,8 @@ next_comment={NEXT_COMMENT!r}
 cd "$debs"
 export EDITOR=/opt/test/editor DEBIAN_FRONTEND=noninteractive HOME=/
 """
+# What a host finds beside the program.
+PAGES = ("docs/hosting.md", "examples/agones/fleet.yaml", "examples/monitoring/alerts.yaml", "examples/monitoring/platon.json")
 IN_OWN_NETWORK = f"{LOOPBACK_UP}; import os, sys; os.execvp(sys.argv[1], sys.argv[1:])"
 
 
@@ -95,12 +98,13 @@ def built_packages(root):
     return [deb for deb in sorted((root / "build/packages").glob("*.deb")) if "-dbgsym_" not in deb.name]
 
 
-def debian_image(root, name, included):
-    """A minimal Debian 12 with some more packages, as an archive that is made once."""
+def debian_image(root, name, included, *options):
+    """A minimal Debian 12 with some more packages, as an archive that is made once. `options`: of dpkg, kept in it."""
     image = root / f"build/packages/work/{name}.tar"
     if not image.exists():
         partial = image.with_name(f"{name}-partial.tar")
-        result = subprocess.run(["mmdebstrap", "--variant=minbase", f"--include={included}", "bookworm", partial],
+        kept = [f"--dpkgopt={option}" for option in options]
+        result = subprocess.run(["mmdebstrap", "--variant=minbase", *kept, f"--include={included}", "bookworm", partial],
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600)  # fmt: skip
         if result.returncode != 0:
             skip(f"mmdebstrap cannot make a Debian 12 here: {result.stdout.strip().splitlines()[-1]}")
@@ -132,6 +136,18 @@ def check_baseline(debs, folder):
             found = later_instructions(folder / "usr/bin/platon-server")
             if found:
                 sys.exit(f"the packaged server has instructions that amd64 lacks: {' '.join(found)}")
+
+
+def check_pages(debs, folder):
+    """Every link of the pages leads somewhere, also in the packages, and so does the one to the pages."""
+    for deb in debs:
+        if deb.name.startswith(("platon-data_", "platon-server_")):
+            run("dpkg-deb", "-x", deb, folder)
+    documents = folder / "usr/share/doc"
+    faults = broken_links(documents / "platon-data")
+    faults += [f"{name} is missing" for name in PAGES if not (documents / "platon-server" / name).is_file()]
+    if faults:
+        sys.exit("\n".join(faults))
 
 
 def write_program(path, script):
@@ -225,6 +241,7 @@ def main(arguments):
     machine = Path(tempfile.mkdtemp(prefix="platon-machine-", dir="/var/tmp"))
     try:
         check_baseline(debs, machine / "server")
+        check_pages(debs, machine / "pages")
         run("tar", "-C", machine, "-xf", image)
         machine.chmod(0o755)
         furnish(machine, debs)
