@@ -21,7 +21,7 @@ CONSTANT = re.compile(r"(?:[A-Z]\w*::)?(k[A-Z]\w+)")
 
 # Options of the tools of others that the docs name.
 FOREIGN_OPTIONS = {"--preset", "--build", "--target", "--from-file", "--now", "--format", "--read-only",
-                   "--cap-drop", "--publish", "--volume"}  # fmt: skip
+                   "--cap-drop", "--publish", "--volume", "--stop-timeout"}  # fmt: skip
 
 
 def sources_of(root):

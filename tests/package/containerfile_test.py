@@ -4,6 +4,7 @@
 usage: containerfile_test.py ROOT
 """
 
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -12,6 +13,7 @@ from containerfile import ContainerfileError, read, sent
 
 ROOT = Path(sys.argv[1]).resolve()
 IMAGE = read((ROOT / "deploy/Containerfile").read_text(encoding="utf-8"))
+STOP_SECONDS = 30  # beyond the drain, docs/hosting.md
 IGNORE = (ROOT / ".dockerignore").read_text(encoding="utf-8")
 
 
@@ -31,6 +33,13 @@ class Containerfile(unittest.TestCase):
         self.assertTrue(IMAGE.entrypoint[2].endswith(f'exec {option} "$@"'), IMAGE.entrypoint)
         self.assertIn("platon-server --console --config /etc/platon/server.toml", IMAGE.health[-1])
         self.assertEqual((IMAGE.command, IMAGE.user), ([], "platon"))
+
+    def test_the_page_says_how_a_stop_waits_for_a_drain(self):
+        page = (ROOT / "docs/hosting.md").read_text(encoding="utf-8")
+        stop = re.search(r"`--stop-timeout (\d+)` before the name of the image, and `--drain (\d+)` after it", page)
+        self.assertTrue(stop, "docs/hosting.md does not tell how a container drains")
+        self.assertEqual(int(stop[1]), int(stop[2]) + STOP_SECONDS)
+        self.assertIn("kill the server after 10 s", page)
 
 
 if __name__ == "__main__":
