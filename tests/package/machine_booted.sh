@@ -5,7 +5,8 @@
 
 property() { systemctl show --value --property "$1" platon-server; }
 server_process() { property MainPID; }
-start_server() { systemctl start platon-server; }
+start_server() { systemctl enable --now platon-server && until_true systemctl is-active -q platon-server; }
+no_server_runs() { ! pidof platon-server; }
 stop_server() { systemctl stop platon-server && [[ $(property Result) == success ]]; }
 reload_server() { systemctl reload platon-server; }
 server_is_restarted() { [[ $(server_process) != "$1" ]] && systemctl is-active -q platon-server; }
@@ -55,8 +56,7 @@ own_steps() {
   step 'another server runs beside it'
   sed -e 's,\(run\|lib\)/platon/,&second/,' -e 's/^port = .*/port = 7778/' -e 's/:9100"/:9101"/' -e '/^announce/d' \
     /etc/platon/server.toml >/etc/platon/second.toml
-  systemctl start platon-server@second || fails 'the second server does not start'
+  systemctl enable --now platon-server@second || fails 'the second server does not start'
   console <<<status >/dev/null || fails 'the first server is gone'
-  systemctl stop platon-server@second
   systemctl revert platon-server
 }

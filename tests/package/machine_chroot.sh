@@ -11,6 +11,7 @@ unit_value() { sed -n "s/^$1=//p" /lib/systemd/system/platon-server.service | se
 
 server_process() { printf '%s\n' "$server"; }
 server_log() { cat /opt/test/server_log; }
+no_server_runs() { [[ -z $server ]]; }
 reload_server() { kill -HUP "$server"; }
 
 # become COMMAND…: this shell becomes the command, with the user and the mask of the unit.

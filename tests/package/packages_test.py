@@ -19,6 +19,7 @@ from pathlib import Path
 
 from baseline import later_instructions
 from containerfile import LOOPBACK_UP
+from repacked import NEXT_COMMENT, NEXT_VERSION, OLD_VERSION, as_next, as_old, repack
 from shipped_docs_test import broken_links
 
 TOOLS = ("mmdebstrap", "systemd-nspawn", "dpkg-buildpackage", "dpkg-deb", "lintian")
@@ -27,8 +28,6 @@ BOOT_LIMIT = 60  # seconds until the script begins
 SCRIPT_LIMIT = 300  # seconds until it has ended
 ISOLATED = ("unshare", "--mount", "--net", "--pid", "--fork", "--kill-child")
 PAGE_COMMANDS = re.compile(r"<!-- commands: [^\n]*-->\n```\n(.*?)```", re.DOTALL)
-NEXT_VERSION = "0.9999"
-NEXT_COMMENT = "# Of the next version."
 SERVICE = """[Unit]
 Description=Test of the packages
 After=multi-user.target
@@ -42,6 +41,7 @@ StandardError=append:/opt/test/log
 """
 BEGIN = f"""set -uo pipefail
 debs=/opt/test/debs
+old_version={OLD_VERSION}
 next_comment={NEXT_COMMENT!r}
 cd "$debs"
 export EDITOR=/opt/test/editor DEBIAN_FRONTEND=noninteractive HOME=/
@@ -112,22 +112,6 @@ def debian_image(root, name, included, *options):
     return image
 
 
-def raise_version(deb, folder):
-    """Writes the same package with a higher version, and with another configuration."""
-    tree = folder / deb.stem
-    run("dpkg-deb", "-R", deb, tree)
-    control = tree / "DEBIAN/control"
-    text = control.read_text(encoding="utf-8")
-    version = re.search(r"(?m)^Version: (.*)$", text)[1]
-    text = text.replace(f"Version: {version}\n", f"Version: {NEXT_VERSION}\n").replace(f"(= {version})", f"(= {NEXT_VERSION})")
-    control.write_text(text, encoding="utf-8")
-    for configuration in tree.glob("etc/platon/server.toml"):
-        with configuration.open("a", encoding="utf-8") as file:
-            file.write(f"{NEXT_COMMENT}\n")
-    run("dpkg-deb", "-b", "-Znone", tree, folder / f"{deb.name.split('_')[0]}_{NEXT_VERSION}.deb")
-    shutil.rmtree(tree)
-
-
 def check_baseline(debs, folder):
     """The server runs on every machine of the architecture."""
     for deb in debs:
@@ -156,13 +140,15 @@ def write_program(path, script):
 
 
 def furnish(machine, debs):
-    """Puts the packages and what they depend on into the machine."""
+    """Puts the packages, also of other versions, and what they depend on into the machine."""
     folder = machine / "opt/test/debs"
-    (folder / "next").mkdir(parents=True)
+    for other in ("next", OLD_VERSION):
+        (folder / other).mkdir(parents=True)
     for deb in debs:
         if deb.name.split("_")[0] in ("platon-data", "platon-server", "platon-tools"):
             shutil.copy(deb, folder)
-            raise_version(deb, folder / "next")
+            repack(deb, folder / "next", NEXT_VERSION, as_next)
+            repack(deb, folder / OLD_VERSION, OLD_VERSION, as_old)
     shutil.copy("/etc/resolv.conf", machine / "etc/resolv.conf")
     (machine / "etc/apt/apt.conf.d/90test").write_text('APT::Get::Assume-Yes "true";\nAPT::Install-Recommends "false";\n')
     run("chroot", machine, "apt-get", "update")
