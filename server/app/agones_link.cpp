@@ -10,12 +10,22 @@ namespace {
 constexpr std::chrono::milliseconds kCallLimit{1000};
 constexpr std::chrono::milliseconds kFinishLimit{2000};
 
+AgonesAnswer makeCall(AgonesCall call, std::uint16_t port, const PlayerCount& count,
+                      const AgonesReporter::Clock& clock) {
+  const bool asks = call == AgonesCall::kGameServer;
+  const LoopbackAnswer answer = sendOverLoopback(agonesRequest(call, port, count), port,
+                                                 asks ? LoopbackPart::kBody : LoopbackPart::kStatus, kCallLimit, clock);
+  if (answer.fault || !asks) return {answer.fault};
+  const std::optional<std::string> allocation = lastAllocation(answer.body);
+  return allocation ? AgonesAnswer{{}, *allocation} : AgonesAnswer{"its answer describes no game server"};
+}
+
 }  // namespace
 
 void AgonesLink::start(Log& log) {
   if (!port_) return;
   const auto send = [port = *port_, clock = clock_](AgonesCall call, const PlayerCount& count) {
-    return sendOverLoopback(agonesRequest(call, port, count), port, kCallLimit, clock);
+    return makeCall(call, port, count, clock);
   };
   reporter_ = std::make_unique<AgonesReporter>(send, clock_);
   log.info("agones at port " + std::to_string(*port_));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <nlohmann/json.hpp>
 
 namespace platon {
 namespace {
@@ -19,6 +20,8 @@ std::string_view pathOf(AgonesCall call) {
       return "/allocate";
     case AgonesCall::kPlayers:
       return "/v1beta1/counters/players";
+    case AgonesCall::kGameServer:
+      return "/gameserver";
     case AgonesCall::kShutdown:
       return "/shutdown";
   }
@@ -38,12 +41,27 @@ std::string_view nameOf(AgonesCall call) {
   return path.substr(path.rfind('/') + 1);
 }
 
+// An answer to HTTP/1.0 ends where the connection does, and never comes in chunks.
 std::string agonesRequest(AgonesCall call, std::uint16_t port, const PlayerCount& count) {
+  const std::string host = "Host: localhost:" + std::to_string(port) + "\r\n";
+  if (call == AgonesCall::kGameServer)
+    return std::string("GET ").append(pathOf(call)) + " HTTP/1.0\r\n" + host + "\r\n";
   const std::string body = bodyOf(call, count);
   std::string request(call == AgonesCall::kPlayers ? "PATCH " : "POST ");
-  request.append(pathOf(call)).append(" HTTP/1.1\r\nHost: localhost:").append(std::to_string(port));
-  request.append("\r\nContent-Type: application/json\r\nContent-Length: ").append(std::to_string(body.size()));
+  request.append(pathOf(call)).append(" HTTP/1.1\r\n").append(host);
+  request.append("Content-Type: application/json\r\nContent-Length: ").append(std::to_string(body.size()));
   return request.append("\r\nConnection: close\r\n\r\n").append(body);
+}
+
+std::optional<std::string> lastAllocation(std::string_view body) {
+  const auto server = nlohmann::json::parse(body, nullptr, false);
+  const auto meta = server.is_object() ? server.find("object_meta") : server.end();
+  if (meta == server.end() || !meta->is_object()) return std::nullopt;
+  const auto annotations = meta->find("annotations");
+  if (annotations == meta->end() || !annotations->is_object()) return "";
+  const auto allocation = annotations->find("agones.dev/last-allocated");
+  if (allocation == annotations->end()) return "";
+  return allocation->is_string() ? std::optional(allocation->get<std::string>()) : std::nullopt;
 }
 
 std::optional<int> statusOf(std::string_view received) {

@@ -8,15 +8,16 @@
 
 namespace platon {
 
-/// What the server tells Agones through the process that Agones runs beside it, its sidecar.
+/// What the server tells Agones, or asks it, through the process that Agones runs beside it, its sidecar.
 enum class AgonesCall : std::uint8_t {
-  kReady,     ///< players can be sent to the server; it may be removed
-  kHealth,    ///< the server is alive
-  kAllocate,  ///< somebody plays: the server must not be removed
-  kPlayers,   ///< number of players
-  kShutdown,  ///< the server has stopped
+  kReady,       ///< players can be sent to the server; it may be removed
+  kHealth,      ///< the server is alive
+  kAllocate,    ///< somebody plays: the server must not be removed
+  kPlayers,     ///< number of players
+  kGameServer,  ///< when was the server allocated?
+  kShutdown,    ///< the server has stopped
 };
-inline constexpr std::size_t kAgonesCalls = 5;
+inline constexpr std::size_t kAgonesCalls = 6;
 
 /// One word, for the log.
 std::string_view nameOf(AgonesCall call);
@@ -29,10 +30,20 @@ struct PlayerCount {
   friend bool operator==(const PlayerCount&, const PlayerCount&) = default;
 };
 
-/// The request of HTTP/1.1 that makes the call, for a sidecar on this port of the loopback interface. Paths and bodies
-/// are those of sdks/swagger/sdk.swagger.json and beta.swagger.json of github.com/googleforgames/agones. `count` is
-/// sent by kPlayers alone.
+/// What a call has brought.
+struct AgonesAnswer {
+  std::optional<std::string> fault;  ///< what went wrong; nothing if the call succeeded
+  std::string allocation{};          ///< of kGameServer: what lastAllocation() reads
+};
+
+/// The request of HTTP that makes the call, for a sidecar on this port of the loopback interface. Paths and bodies are
+/// those of sdks/swagger/sdk.swagger.json and beta.swagger.json of github.com/googleforgames/agones. `count` is sent by
+/// kPlayers alone.
 std::string agonesRequest(AgonesCall call, std::uint16_t port, const PlayerCount& count);
+
+/// The annotation agones.dev/last-allocated of the game server that a body of an answer to kGameServer describes, a
+/// time that differs for each allocation; empty if the server was never allocated. Nothing if the body describes none.
+std::optional<std::string> lastAllocation(std::string_view body);
 
 /// The status of a response of HTTP/1.0 or HTTP/1.1, 100 … 999, once its first line has arrived. 0: the line is none.
 /// Nothing: the line is incomplete.

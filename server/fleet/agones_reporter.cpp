@@ -53,10 +53,10 @@ bool AgonesReporter::step(std::unique_lock<std::mutex>& lock) {
   const std::optional<AgonesCall> call = schedule_.due(status, clock_());
   if (!call) return false;
   lock.unlock();
-  const std::optional<std::string> fault = send_(*call, status.count);
+  const AgonesAnswer answer = send_(*call, status.count);
   lock.lock();
-  schedule_.made(*call, status, !fault, clock_());
-  note(*call, fault);
+  schedule_.made(*call, status, answer, clock_());
+  note(*call, answer.fault);
   changed_.notify_all();
   return true;
 }

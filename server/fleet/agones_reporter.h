@@ -23,8 +23,8 @@ struct AgonesEvent {
 /// Tells Agones about the server, from a thread of its own: the server never waits for it, except at its end.
 class AgonesReporter {
  public:
-  /// Makes a call, which takes a second at most. Returns what went wrong, or nothing.
-  using Send = std::function<std::optional<std::string>(AgonesCall call, const PlayerCount& count)>;
+  /// Makes a call, which takes a second at most.
+  using Send = std::function<AgonesAnswer(AgonesCall call, const PlayerCount& count)>;
   using Clock = std::function<TimePoint()>;
 
   /// Time between two looks at what is due.

@@ -32,7 +32,8 @@ class AgonesSchedule {
   /// has taken become free.
   static constexpr std::chrono::seconds kCountInterval{30};
 
-  /// The server may be removed when nobody has played for this long: until then an allocation may have sent somebody.
+  /// The server may be removed when nobody has played for this long, and this long after a look at the game server has
+  /// shown an allocation: until then somebody may be on the way.
   static constexpr std::chrono::seconds kEmptyTime = kCountInterval;
 
   explicit AgonesSchedule(TimePoint now) : advancedAt_(now), healthAt_(now) {}
@@ -40,7 +41,7 @@ class AgonesSchedule {
   /// The call to make now; nothing if none is due. The first one is kReady.
   std::optional<AgonesCall> due(const FleetStatus& status, TimePoint now);
   /// Tells how a call that `due` has named ended, with the status it was made for.
-  void made(AgonesCall call, const FleetStatus& status, bool succeeded, TimePoint now);
+  void made(AgonesCall call, const FleetStatus& status, const AgonesAnswer& answer, TimePoint now);
   /// Whether the sidecar knows that the server has stopped.
   bool shutDown() const { return told_ == AgonesCall::kShutdown; }
 
@@ -50,18 +51,22 @@ class AgonesSchedule {
     std::chrono::milliseconds pause{};
   };
 
-  AgonesCall stateOf(const FleetStatus& status, TimePoint now);
+  std::optional<AgonesCall> change(const FleetStatus& status, TimePoint now);
+  void setRetry(AgonesCall call, bool succeeded, TimePoint now);
+  void take(AgonesCall call, const FleetStatus& status, const std::string& allocation, TimePoint now);
   bool mayRetry(AgonesCall call, TimePoint now) const { return now >= retries_[index(call)].at; }
   static std::size_t index(AgonesCall call) { return static_cast<std::size_t>(call); }
 
   std::uint64_t steps_ = 0;
-  TimePoint advancedAt_;              // when the tick loop was seen to advance
-  TimePoint playedAt_{};              // when somebody was seen to play
-  TimePoint healthAt_;                // next ping
-  bool tried_ = false;                // kReady was tried once
-  std::optional<AgonesCall> told_;    // kReady, kAllocate or kShutdown: what the sidecar has taken last
-  std::optional<PlayerCount> count_;  // the same for kPlayers
-  TimePoint countAt_{};               // when it is told again
+  TimePoint advancedAt_;                   // when the tick loop was seen to advance
+  TimePoint emptySince_{};                 // when somebody was last seen to play, or an allocation was seen
+  std::optional<std::string> allocation_;  // the last one that was seen; nothing while somebody plays
+  bool mayReturn_ = false;                 // the last look was late enough and showed nothing new
+  TimePoint healthAt_;                     // next ping
+  bool tried_ = false;                     // kReady was tried once
+  std::optional<AgonesCall> told_;         // kReady, kAllocate or kShutdown: what the sidecar has taken last
+  std::optional<PlayerCount> count_;       // the same for kPlayers
+  TimePoint countAt_{};                    // when it is told again
   std::array<Retry, kAgonesCalls> retries_{};
 };
 

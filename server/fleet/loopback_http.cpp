@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "server/admin/stream_socket.h"
 #include "server/fleet/agones_call.h"
@@ -10,7 +11,7 @@ namespace platon {
 namespace {
 
 constexpr int kOk = 200;
-constexpr std::size_t kMaxHeadBytes = 8 * 1024;
+constexpr std::size_t kMaxAnswerBytes = 1024 * 1024;
 
 // Time left until an end; none is left when it has passed.
 class TimeLeft {
@@ -37,25 +38,34 @@ Descriptor connectTo(std::uint16_t port, const TimeLeft& left) {
   return socket;
 }
 
+LoopbackAnswer faulty(std::string fault) { return {std::move(fault)}; }
+
+// What follows the head of an answer; nothing if the head is incomplete.
+std::string afterHead(const std::string& answer) {
+  const std::size_t end = answer.find("\r\n\r\n");
+  return end == std::string::npos ? "" : answer.substr(end + 4);
+}
+
 }  // namespace
 
-std::optional<std::string> sendOverLoopback(std::string request, std::uint16_t port, std::chrono::milliseconds limit,
-                                            const std::function<TimePoint()>& clock) {
+LoopbackAnswer sendOverLoopback(std::string request, std::uint16_t port, LoopbackPart part,
+                                std::chrono::milliseconds limit, const std::function<TimePoint()>& clock) {
   const TimeLeft left(limit, clock);
   const Descriptor socket = connectTo(port, left);
-  if (!socket) return std::strerror(errno);
+  if (!socket) return faulty(std::strerror(errno));
   std::string received;
   while (left().count() > 0) {
-    if (!sendTo(socket, request)) return "the connection broke";
+    if (!sendTo(socket, request)) return faulty("the connection broke");
     if (!waitFor(socket, !request.empty(), left())) break;
-    const Received part = receiveFrom(socket);
-    received += part.bytes;
-    if (const auto status = statusOf(received)) {
-      return *status == kOk ? std::nullopt : std::optional("it answers with HTTP status " + std::to_string(*status));
-    }
-    if (part.closed || received.size() > kMaxHeadBytes) return "it closed the connection without an answer";
+    const Received more = receiveFrom(socket);
+    received += more.bytes;
+    const std::optional<int> status = statusOf(received);
+    if (status && *status != kOk) return faulty("it answers with HTTP status " + std::to_string(*status));
+    if (status && (more.closed || part == LoopbackPart::kStatus)) return {{}, afterHead(received)};
+    if (more.closed) return faulty("it closed the connection without an answer");
+    if (received.size() > kMaxAnswerBytes) return faulty("its answer is longer than 1 MiB");
   }
-  return "it does not answer in time";
+  return faulty("it does not answer in time");
 }
 
 }  // namespace platon

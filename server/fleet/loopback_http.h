@@ -10,9 +10,18 @@
 
 namespace platon {
 
+/// How much of an answer is waited for.
+enum class LoopbackPart : std::uint8_t { kStatus, kBody };
+
+/// What a program on this machine has answered.
+struct LoopbackAnswer {
+  std::optional<std::string> fault;  ///< what went wrong; nothing if the status is 200
+  std::string body{};                ///< if it was waited for: what follows the head, until the connection was closed
+};
+
 /// Sends a request over HTTP to a program on this machine, on its loopback address of IPv4 or else of IPv6, and waits
-/// for the status of the answer, for at most `limit`. Nothing if it is 200; otherwise what went wrong.
-std::optional<std::string> sendOverLoopback(std::string request, std::uint16_t port, std::chrono::milliseconds limit,
-                                            const std::function<TimePoint()>& clock);
+/// for this part of the answer, for at most `limit`. An answer has at most 1 MiB.
+LoopbackAnswer sendOverLoopback(std::string request, std::uint16_t port, LoopbackPart part,
+                                std::chrono::milliseconds limit, const std::function<TimePoint()>& clock);
 
 }  // namespace platon

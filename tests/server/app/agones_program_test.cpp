@@ -95,6 +95,21 @@ TEST_F(AgonesProgramTest, AServerWhosePlayersHaveLeftHasFreePlaces) {
   stopServer();
 }
 
+TEST_F(AgonesProgramTest, AServerWhosePlayersHaveLeftLooksWhenItWasAllocated) {
+  startServer();
+  join();
+  ASSERT_TRUE(playsUntil(kOnePlayer));
+  EXPECT_EQ(sidecar_.count("GET /gameserver"), 0u);
+  ann_->sendRaw(encode(Leave{}), true);
+  ASSERT_TRUE(playsUntil("GET /gameserver"));
+  ASSERT_TRUE(playsUntil("POST /health", sidecar_.count("POST /health") + 1));
+  EXPECT_EQ(sidecar_.count("GET /gameserver"), 1u) << "the next look is 30 s later";
+  EXPECT_EQ(sidecar_.count("POST /ready"), 1u);
+  EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{});
+  stopServer();
+  EXPECT_EQ(server().errors().find("agones call fails"), std::string::npos);
+}
+
 TEST_F(AgonesProgramTest, ASidecarThatComesLateIsToldAllOfIt) {
   sidecar_.vanish();
   startServer();

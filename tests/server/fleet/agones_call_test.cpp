@@ -22,9 +22,31 @@ TEST(AgonesCall, ThePlayersReplaceTheCounter) {
       << request;
 }
 
+// In one piece: an answer to HTTP/1.1 may come in chunks.
+TEST(AgonesCall, TheGameServerIsAskedForByHttp10) {
+  EXPECT_EQ(agonesRequest(AgonesCall::kGameServer, 9358, {}),
+            "GET /gameserver HTTP/1.0\r\nHost: localhost:9358\r\n\r\n");
+}
+
+TEST(AgonesCall, TheLastAllocationIsAnAnnotation) {
+  EXPECT_EQ(lastAllocation(R"({"object_meta":{"annotations":{"agones.dev/last-allocated":"2026-11-27T18:00:00.1Z"}}})"),
+            "2026-11-27T18:00:00.1Z");
+  EXPECT_EQ(lastAllocation(R"({"object_meta":{"annotations":{"agones.dev/sdk-version":"1.57.0"}}})"), "");
+  EXPECT_EQ(lastAllocation(R"({"object_meta":{}})"), "");
+}
+
+TEST(AgonesCall, WhatDescribesNoGameServerHasNoAllocation) {
+  for (const char* text :
+       {"", "{", "[]", "{}", "null", R"({"object_meta":null})", R"({"object_meta":{"annotations":{"agones.dev/last-al)",
+        R"({"object_meta":{"annotations":{"agones.dev/last-allocated":1}}})"}) {
+    EXPECT_EQ(lastAllocation(text), std::nullopt) << text;
+  }
+}
+
 TEST(AgonesCall, TheNamesForTheLogAreWords) {
   EXPECT_EQ(nameOf(AgonesCall::kReady), "ready");
   EXPECT_EQ(nameOf(AgonesCall::kPlayers), "players");
+  EXPECT_EQ(nameOf(AgonesCall::kGameServer), "gameserver");
 }
 
 TEST(AgonesCall, TheStatusIsKnownOnceItsLineHasArrived) {

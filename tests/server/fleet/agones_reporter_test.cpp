@@ -16,10 +16,11 @@ using Call = AgonesCall;
 /// A reporter whose calls are counted and whose clock the test moves.
 class AgonesReporterTest : public testing::Test {
  protected:
-  std::optional<std::string> send(Call call) {
+  AgonesAnswer send(Call call) {
     const std::lock_guard lock(mutex_);
     calls_.push_back(call);
-    return fails_ ? std::optional<std::string>("gone") : std::nullopt;
+    if (fails_) return {"gone"};
+    return {{}, "allocation " + std::to_string(allocations_)};
   }
 
   std::size_t count(Call call) {
@@ -37,6 +38,7 @@ class AgonesReporterTest : public testing::Test {
   std::mutex mutex_;
   std::vector<Call> calls_;
   std::atomic<bool> fails_{false};
+  std::atomic<int> allocations_{0};
   std::atomic<std::int64_t> now_{100'000};  // ms
   AgonesReporter reporter_{[this](Call call, const PlayerCount&) { return send(call); },
                            [this] { return TimePoint(std::chrono::milliseconds(now_)); }};
@@ -77,6 +79,19 @@ TEST_F(AgonesReporterTest, AFailureIsToldOnceAndSoIsItsEnd) {
     return count({Call::kAllocate, ""}) == 1;
   }));
   EXPECT_EQ(count({Call::kAllocate, "gone"}), 1);
+}
+
+TEST_F(AgonesReporterTest, AnAllocationOfAnEmptyServerIsNotUndone) {
+  reporter_.report(true, {1, 16});
+  ASSERT_TRUE(reaches(Call::kAllocate, 1));
+  reporter_.report(false, {0, 16});
+  ASSERT_TRUE(reaches(Call::kGameServer, 1));
+  allocations_ = 1;
+  ASSERT_TRUE(waitUntil([&] {
+    pass(1s);
+    return count(Call::kReady) == 2;
+  }));
+  EXPECT_EQ(count(Call::kGameServer), 3u) << "the second look has found it, and the third one nothing new";
 }
 
 TEST_F(AgonesReporterTest, TheEndIsTold) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace platon::agones_schedule_test {
@@ -24,9 +25,22 @@ class AgonesScheduleTest : public testing::Test {
       if (!stalls_) ++status_.steps;
       while (const auto call = schedule_.due(status_, now_)) {
         made_.push_back({*call, now_});
-        schedule_.made(*call, status_, !fails_, now_);
+        schedule_.made(*call, status_, answerTo(*call), now_);
       }
     }
+  }
+
+  AgonesAnswer answerTo(Call call) const {
+    if (fails_ || call == refused_) return {"gone"};
+    return {{}, allocation_};
+  }
+
+  // Somebody plays for a while and leaves.
+  void leave() {
+    status_.playing = true;
+    run(10s);
+    status_.playing = false;
+    calls();
   }
 
   // The calls since the last call of this, without the pings.
@@ -51,6 +65,8 @@ class AgonesScheduleTest : public testing::Test {
   FleetStatus status_{0, false, {0, 16}, false};
   bool stalls_ = false;
   bool fails_ = false;
+  std::optional<Call> refused_;
+  std::string allocation_ = "2026-11-27T18:00:00.1Z";  // the last one that the sidecar knows
   std::vector<Made> made_;
 };
 
@@ -100,11 +116,87 @@ TEST_F(AgonesScheduleTest, AnEmptyServerMayBeRemovedAfterThirtySeconds) {
   status_.playing = false;
   status_.count.players = 1;
   run(29s);
-  EXPECT_EQ(calls(), std::vector<Call>{Call::kPlayers});
+  EXPECT_EQ(calls(), (std::vector<Call>{Call::kGameServer, Call::kPlayers}));
   run(10s);
-  EXPECT_EQ(calls().front(), Call::kReady);
+  EXPECT_EQ(calls(), (std::vector<Call>{Call::kGameServer, Call::kReady, Call::kPlayers}));
   run(60s);
   for (const Call call : calls()) EXPECT_EQ(call, Call::kPlayers);
+}
+
+// The allocation 26 s after the last player has left was undone 4 s later.
+TEST_F(AgonesScheduleTest, AnAllocationOfAnEmptyServerIsNotUndone) {
+  leave();
+  run(26s);
+  calls();
+  allocation_ = "2026-11-27T18:00:30.5Z";
+  run(33s);
+  EXPECT_EQ(calls(), (std::vector<Call>{Call::kGameServer, Call::kPlayers}));
+  run(2s);
+  EXPECT_EQ(calls(), (std::vector<Call>{Call::kGameServer, Call::kReady}));
+}
+
+TEST_F(AgonesScheduleTest, EachAllocationOfAnEmptyServerCountsAnew) {
+  leave();
+  for (int i = 0; i < 5; ++i) {
+    run(29s);
+    allocation_ += "1";
+    run(1s);
+    for (const Call call : calls()) EXPECT_NE(call, Call::kReady);
+  }
+  run(61s);
+  const std::vector<Call> last = calls();
+  EXPECT_EQ(std::count(last.begin(), last.end(), Call::kReady), 1);
+}
+
+// The allocation of a player who has come is none of an empty server.
+TEST_F(AgonesScheduleTest, AnAllocationBeforeTheLastPlayerLeftDoesNotDelayTheReturn) {
+  status_.playing = true;
+  run(10s);
+  allocation_ = "2026-11-27T18:00:10.5Z";
+  run(10s);
+  calls();
+  status_.playing = false;
+  run(31s);
+  const std::vector<Call> made = calls();
+  EXPECT_EQ(std::count(made.begin(), made.end(), Call::kReady), 1);
+}
+
+TEST_F(AgonesScheduleTest, AServerThatCannotSeeItsAllocationsStaysAllocated) {
+  leave();
+  run(10s);
+  fails_ = true;
+  calls();
+  run(300s);
+  for (const Call call : calls()) EXPECT_NE(call, Call::kReady);
+  fails_ = false;
+  run(10s);
+  const std::vector<Call> made = calls();
+  EXPECT_EQ(std::count(made.begin(), made.end(), Call::kReady), 1) << "it has seen that there was none";
+}
+
+TEST_F(AgonesScheduleTest, ALateFirstLookCannotTellWhatCameBefore) {
+  leave();
+  fails_ = true;
+  run(100s);
+  fails_ = false;
+  run(20s);
+  for (const Call call : calls()) EXPECT_NE(call, Call::kReady);
+  run(30s);
+  const std::vector<Call> made = calls();
+  EXPECT_EQ(std::count(made.begin(), made.end(), Call::kReady), 1);
+}
+
+TEST_F(AgonesScheduleTest, AReturnThatFailedLooksAgain) {
+  leave();
+  run(29s);
+  calls();
+  refused_ = Call::kReady;
+  run(2s);
+  allocation_ = "2026-11-27T18:01:00.5Z";
+  refused_.reset();
+  calls();
+  run(29s);
+  for (const Call call : calls()) EXPECT_NE(call, Call::kReady);
 }
 
 TEST_F(AgonesScheduleTest, ThePlayersAreToldAgainEveryThirtySeconds) {

@@ -16,6 +16,11 @@ std::string responseOf(const std::string& status, const std::string& body) {
          "\r\nConnection: close\r\n\r\n" + body;
 }
 
+// An answer to HTTP/1.0 has no length: it ends with the connection.
+std::string lastResponseOf(const std::string& body) {
+  return "HTTP/1.0 200 OK\r\nContent-Type: application/json\r\n\r\n" + body;
+}
+
 // The whole request, head and body, once it has arrived; empty before.
 std::string wholeRequest(const std::string& received) {
   const std::size_t head = received.find("\r\n\r\n");
@@ -57,6 +62,12 @@ void FakeSidecar::comeBack() {
   const std::lock_guard lock(mutex_);
   listener_ = listenAt(port_);
   if (!listener_) throw std::runtime_error("cannot listen on the same port again");
+}
+
+void FakeSidecar::allocate() {
+  const std::lock_guard lock(mutex_);
+  setState("Allocated");
+  players_ = std::min(players_ + 1, places_);
 }
 
 std::vector<std::string> FakeSidecar::calls() {
@@ -115,8 +126,9 @@ void FakeSidecar::serve(Connection& connection) {
     connection.request = requests_;
     connection.isSilent = mode_ == Mode::kIsSilent;
   }
-  if (part.closed || (now >= connection.answerAt && !sendTo(connection.socket, connection.response)))
-    connection.socket = Descriptor();
+  const bool breaks = now >= connection.answerAt && !sendTo(connection.socket, connection.response);
+  const bool isSent = connection.answered && !connection.isSilent && connection.response.empty();
+  if (part.closed || breaks || isSent) connection.socket = Descriptor();
 }
 
 std::string FakeSidecar::answer(const std::string& request) {
@@ -131,20 +143,46 @@ std::string FakeSidecar::answer(const std::string& request) {
   }
 }
 
-// Does what a request asks for. A counter cannot hold more than its capacity, and there is no other than that of
-// players.
+// Does what a request asks for. There is no counter other than that of players.
 std::string FakeSidecar::take(const SidecarRequest& request) {
   std::string answered = "{}";
-  if (request.method == "PATCH") {
-    if (request.path != "/v1beta1/counters/players") throw std::invalid_argument("there is no counter " + request.path);
-    const std::string count = request.body.at("count");
-    const std::string capacity = request.body.at("capacity");
-    if (std::stoll(count) < 0 || std::stoll(count) > std::stoll(capacity))
-      throw std::invalid_argument(count + " players are out of range");
-    answered = R"({"name":"players","count":")" + count + R"(","capacity":")" + capacity + "\"}";
-  }
+  if (request.method == "PATCH") answered = takePlayers(request);
+  if (request.path == "/ready") setState("Ready");
+  if (request.path == "/allocate") setState("Allocated");
   calls_.push_back(request.method + " " + request.path + " " + request.text);
-  return responseOf("200 OK", answered);
+  return request.method == "GET" ? lastResponseOf(gameServer()) : responseOf("200 OK", answered);
+}
+
+// A counter cannot hold more than its capacity.
+std::string FakeSidecar::takePlayers(const SidecarRequest& request) {
+  if (request.path != "/v1beta1/counters/players") throw std::invalid_argument("there is no counter " + request.path);
+  const std::string count = request.body.at("count");
+  const std::string capacity = request.body.at("capacity");
+  if (std::stoll(count) < 0 || std::stoll(count) > std::stoll(capacity))
+    throw std::invalid_argument(count + " players are out of range");
+  players_ = std::stoll(count);
+  places_ = std::stoll(capacity);
+  return R"({"name":"players","count":")" + count + R"(","capacity":")" + capacity + "\"}";
+}
+
+// A game server that becomes allocated gets the time of that.
+void FakeSidecar::setState(const std::string& state) {
+  state_ = state;
+  if (state == "Allocated") ++allocations_;
+}
+
+// All properties are there, numbers of 64 bits as texts, as the gateway of Agones writes them.
+std::string FakeSidecar::gameServer() const {
+  const std::string allocated = "2026-11-27T18:00:00." + std::to_string(allocations_) + "Z";
+  const std::string annotation = allocations_ > 0 ? R"("agones.dev/last-allocated": ")" + allocated + R"(", )" : "";
+  return R"({"object_meta": {"name": "platon-1", "namespace": "default", "uid": "1", "resource_version": "7", )"
+         R"("generation": "3", "creation_timestamp": "1764266400", "deletion_timestamp": "0", "annotations": {)" +
+         annotation + R"("agones.dev/sdk-version": "1.57.0"}, "labels": {"agones.dev/fleet": "platon"}}, "spec": )" +
+         R"({"health": {"disabled": false, "period_seconds": 5, "failure_threshold": 3, "initial_delay_seconds": 5}}, )" +
+         R"("status": {"state": ")" + state_ +
+         R"(", "address": "192.0.2.1", "addresses": [], "ports": [{"name": "game", )" +
+         R"("port": 7000}], "players": null, "counters": {"players": {"count": ")" + std::to_string(players_) +
+         R"(", "capacity": ")" + std::to_string(places_) + R"("}}, "lists": {}}})";
 }
 
 }  // namespace platon

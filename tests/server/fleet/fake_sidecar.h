@@ -12,8 +12,8 @@
 
 namespace platon {
 
-/// Stands in for the sidecar of Agones, with a counter of players. Answers the requests that the description of Agones
-/// allows (SidecarRequest), and anything else with an error.
+/// Stands in for the sidecar of Agones, with a game server and its counter of players. Answers the requests that the
+/// description of Agones allows (SidecarRequest), and anything else with an error.
 class FakeSidecar {
  public:
   enum class Mode {
@@ -38,6 +38,8 @@ class FakeSidecar {
   void vanish();
   /// Listens again, at the same port.
   void comeBack();
+  /// What an allocation of the fleet does to the game server, which has a place reserved then.
+  void allocate();
 
   /// The calls that have taken effect, in order, such as "POST /ready {}".
   std::vector<std::string> calls();
@@ -65,6 +67,9 @@ class FakeSidecar {
   void serve(Connection& connection);
   std::string answer(const std::string& request);
   std::string take(const SidecarRequest& request);
+  std::string takePlayers(const SidecarRequest& request);
+  void setState(const std::string& state);
+  std::string gameServer() const;
 
   std::uint16_t port_ = 0;
   std::mutex mutex_;
@@ -74,6 +79,10 @@ class FakeSidecar {
   std::vector<std::string> calls_;
   std::vector<std::string> faults_;
   std::size_t requests_ = 0;
+  std::string state_ = "Scheduled";  // of the game server
+  int allocations_ = 0;              // all have different times
+  std::int64_t players_ = 0;         // its counter
+  std::int64_t places_ = 16;
   bool ended_ = false;
   std::thread thread_;  // last: uses the members above from its start
 };

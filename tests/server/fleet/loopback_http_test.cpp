@@ -13,13 +13,19 @@ using namespace std::chrono_literals;
 
 class LoopbackHttpTest : public testing::Test {
  protected:
-  std::optional<std::string> send(const std::string& request) {
-    return sendOverLoopback(request, sidecar_.port(), 60s, [] { return std::chrono::steady_clock::now(); });
+  std::optional<std::string> send(const std::string& request) { return answerTo(request, LoopbackPart::kStatus).fault; }
+
+  LoopbackAnswer answerTo(const std::string& request, LoopbackPart part) {
+    return sendOverLoopback(request, sidecar_.port(), part, 60s, [] { return std::chrono::steady_clock::now(); });
+  }
+
+  std::optional<std::string> lastAllocationOf(const std::string& request) {
+    return lastAllocation(answerTo(request, LoopbackPart::kBody).body);
   }
 
   // Waits for the answer for 20 ms, and as long as needed until the request is sent: the clock stands still.
   std::optional<std::string> sendWithoutPatience(const std::string& request) {
-    return sendOverLoopback(request, sidecar_.port(), 20ms, [] { return TimePoint(); });
+    return sendOverLoopback(request, sidecar_.port(), LoopbackPart::kStatus, 20ms, [] { return TimePoint(); }).fault;
   }
 
   std::string request(AgonesCall call) const { return agonesRequest(call, sidecar_.port(), {3, 16}); }
@@ -28,15 +34,28 @@ class LoopbackHttpTest : public testing::Test {
 };
 
 TEST_F(LoopbackHttpTest, TheSidecarTakesEveryCall) {
-  for (const AgonesCall call :
-       {AgonesCall::kReady, AgonesCall::kHealth, AgonesCall::kAllocate, AgonesCall::kPlayers, AgonesCall::kShutdown}) {
+  for (const AgonesCall call : {AgonesCall::kReady, AgonesCall::kHealth, AgonesCall::kAllocate, AgonesCall::kPlayers,
+                                AgonesCall::kGameServer, AgonesCall::kShutdown}) {
     EXPECT_EQ(send(request(call)), std::nullopt) << nameOf(call);
   }
   EXPECT_EQ(sidecar_.calls(),
             (std::vector<std::string>{"POST /ready {}", "POST /health {}", "POST /allocate {}",
                                       "PATCH /v1beta1/counters/players {\"count\":\"3\",\"capacity\":\"16\"}",
-                                      "POST /shutdown {}"}));
+                                      "GET /gameserver ", "POST /shutdown {}"}));
   EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{});
+}
+
+TEST_F(LoopbackHttpTest, EachAllocationOfTheGameServerIsSeen) {
+  const std::string look = request(AgonesCall::kGameServer);
+  EXPECT_EQ(lastAllocationOf(look), "");
+  send(request(AgonesCall::kAllocate));
+  const auto own = lastAllocationOf(look);
+  sidecar_.allocate();
+  const auto fleets = lastAllocationOf(look);
+  EXPECT_NE(own, "");
+  EXPECT_NE(fleets, own);
+  send(request(AgonesCall::kReady));
+  EXPECT_EQ(lastAllocationOf(look), fleets);
 }
 
 TEST_F(LoopbackHttpTest, ARefusalIsReported) {

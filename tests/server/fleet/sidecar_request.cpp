@@ -10,7 +10,7 @@
 namespace platon {
 namespace {
 
-// An operation: every one consumes application/json, has a body that must be there, and answers with 200.
+// An operation: every one but GET consumes application/json and has a body that must be there. All answer with 200.
 struct Operation {
   std::string_view method;
   std::string_view path;              // {} stands for a name
@@ -19,8 +19,9 @@ struct Operation {
 
 // Facts from sdks/swagger/sdk.swagger.json and, for v1beta1, beta.swagger.json of github.com/googleforgames/agones at
 // b19d5fe, which is 1.57.0 in development. Only the operations that the server uses.
-const std::array<Operation, 5> kOperations{
-    Operation{"POST", "/allocate", {}}, Operation{"POST", "/health", {}}, Operation{"POST", "/ready", {}},
+const std::array<Operation, 6> kOperations{
+    Operation{"POST", "/allocate", {}}, Operation{"GET", "/gameserver", {}},
+    Operation{"POST", "/health", {}},   Operation{"POST", "/ready", {}},
     Operation{"POST", "/shutdown", {}}, Operation{"PATCH", "/v1beta1/counters/{}", {"capacity", "count", "countDiff"}}};
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
@@ -63,13 +64,17 @@ void check(const std::map<std::string, std::string>& body, const Operation& oper
 }  // namespace
 
 SidecarRequest SidecarRequest::read(const std::string& request) {
-  static const std::regex firstLine("([A-Z]+) (\\S+) HTTP/1\\.1");
+  static const std::regex firstLine("([A-Z]+) (\\S+) HTTP/1\\.[01]");
   const std::string line = request.substr(0, request.find("\r\n"));
   const std::size_t head = request.find("\r\n\r\n");
   std::smatch words;
   if (head == std::string::npos || !std::regex_match(line, words, firstLine)) refuse("this is no request: " + line);
   SidecarRequest read{words[1], words[2], request.substr(head + 4), {}};
   const Operation& operation = operationOf(read);
+  if (read.method == "GET") {
+    if (!read.text.empty()) refuse("GET has no body");
+    return read;
+  }
   if (request.substr(0, head + 2).find("\r\nContent-Type: application/json\r\n") == std::string::npos)
     refuse("the body is not declared as application/json");
   read.body = propertiesOf(read.text);
