@@ -10,7 +10,7 @@ SLEEPS = "A body of theirs that sleeps costs almost nothing, and a step that los
 CACHES = "Platon keeps the segments near a body with their obstacles and separating edges; they keep indices, or nothing."
 PUSHED = "They let the body overlap or keep a gap, and so pass ends that protrude by more than Platon's nudge of 7 subunits."
 SAME_JOINTS = "The same joints slow both; the loss falls into one step or into two."
-LATTICE = "The position is a lattice point, so it is off by up to a subunit; the remainder holds the rest."
+LATTICE = "The position is a lattice point, so it is off by about a subunit; the remainder holds the rest."
 
 
 class Measure:

@@ -1,7 +1,7 @@
 """The text of docs/speed_vs_error.md. Sentences with figures are made from the run."""
 
 from report_data import (BODIES, COMPUTED, ENGINES, PATH_ENGINES, PLATFORMER, RANDOM, SEGMENTS, STEP_ENGINES, SUBUNITS,
-                         count, is_jammed, jam_share)  # fmt: skip
+                         count, doubts_of, is_jammed, jam_share)  # fmt: skip
 
 OTHERS = ENGINES[1:]
 EXACT = 0
@@ -129,7 +129,7 @@ of the world does not have it, so it is what destroying the original frees beyon
 
 COMPARED = """Each column has several rows: sets, scenes, cases, sizes or times. Lower is better in all of them. Platon is ahead in \
 a row if its value is lower, and equal only if both are the same. Times and bytes are compared as they are, however small the \
-difference. For trajectories, Platon has two columns: its position, and its position and remainder."""
+difference, also in rows in which an engine [jammed](#jams). For trajectories, Platon has two columns: its position, and its position and remainder."""
 
 
 def _list(words):
@@ -157,7 +157,7 @@ def _sweep_verdicts(data):
 def _step_verdicts(data):
     own = data.step_ns("platon", SEGMENTS)
     ratios = {engine: own / data.step_ns(engine, SEGMENTS) for engine in OTHERS}
-    told = _list(f"{ratio:.2f} times that of {engine}" for engine, ratio in ratios.items())
+    told = _list(f"{ratio:.2f} times that of {engine}{doubts_of(engine, data.step(engine, SEGMENTS))}" for engine, ratio in ratios.items())
     yield f"A step of {BODIES} bodies among {count(SEGMENTS)} segments takes Platon {told}."
     for kind in (RANDOM, PLATFORMER):
         rows = {row: data.step("platon", *row, kind)["nsPerStep"] for row in data.scenes(kind)}

@@ -16,6 +16,9 @@ RANDOM, PLATFORMER = "random", "platformer"
 # An engine is jammed in a row if its bodies are jammed in more than this share of the half seconds.
 JAMMED = 0.01
 
+# What its library costs an engine, whatever it does.
+HANDICAPS = {"chipmunk-7.0": "built with assertions"}
+
 SUBUNITS = 1024  # of a level unit
 
 
@@ -112,3 +115,10 @@ def jam_share(result):
 
 def is_jammed(result):
     return jam_share(result) > JAMMED
+
+
+def doubts_of(engine, result):
+    """Why the time of an engine in a row of whole steps says less than those of others, in brackets; else nothing."""
+    jam = f"jammed in {100 * jam_share(result):.1f} % of the half seconds" if is_jammed(result) else None
+    doubts = [doubt for doubt in (jam, HANDICAPS.get(engine)) if doubt]
+    return f" ({'; '.join(doubts)})" if doubts else ""

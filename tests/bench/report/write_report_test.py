@@ -48,6 +48,16 @@ class WriteReportTest(unittest.TestCase):
         report["snapshot"]["hashNs"] = 399
         self.assertRegex(write_report.document(report), r"\| hash of 64 players \| ≤ 400 ns \| .* \| yes \|")
 
+    def test_a_peer_that_jammed_is_named_beside_its_time(self):
+        report = copy.deepcopy(self.measured)
+        for row in report["step"]:
+            row["halfSeconds"], row["jammed"] = 1000, 500 if row["engine"] == "box2d-2.4" else 0
+        page = write_report.document(report)
+        jammed = r" × box2d-2.4 \(jammed in 50.0 % of the half seconds\)"
+        self.assertRegex(page, rf"relative to the faster of Box2D and Chipmunk \| ≤ 0.5 \| .*{jammed}.* \|")
+        self.assertRegex(page, r"times that of box2d-2.4 \(jammed in 50.0 % of the half seconds\) and")
+        self.assertRegex(page, r" × chipmunk-7.0 \(built with assertions\)")
+
 
 if __name__ == "__main__":
     WriteReportTest.bench = sys.argv.pop()
