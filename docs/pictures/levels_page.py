@@ -16,7 +16,7 @@ PAGE = "docs/levels.md"
 INTRODUCTION = (
     "# Levels\n\n"
     "The game has {count} levels, in the order in which a server plays them: {solids}. {several} of them need two players. "
-    "*The pictures show where to go. Play first.*\n\n"
+    "*The pictures show each level whole, and the sentences tell its idea. Play first.*\n\n"
     "Each level states how many crossings of edges every way to its goal needs, which `platon-level solve "
     "--without-crossing` proves. Some state which keys and plates every way uses (`# needs:`), which `platon-level solve "
     "--without` proves: with the doors that they open shut, nobody gets to the goal. The other figures are those of an easy way, which `tests/levels/record.sh` finds and "

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests that names_test.py and figures_test.py find errors."""
+"""Tests that names_test.py, figures_test.py and quotes_test.py find errors."""
 
 import sys
 import tempfile
@@ -9,6 +9,7 @@ from pathlib import Path
 import figures_test
 import names_test
 import pages
+import quotes_test
 
 PAGE = Path("docs/page.md")
 
@@ -61,6 +62,28 @@ class Figures(unittest.TestCase):
 
     def test_a_missing_sentence_is_an_error(self):
         self.assertEqual(self.errors("5", sentence="{} edges"), ["page.md: no sentence '{} edges'"])
+
+
+class Builds(unittest.TestCase):
+    MACHINES = (quotes_test.Machine("a", "ARM, GCC", (), (), ("qemu-arm",)), quotes_test.Machine("b", "x86-64, GCC", (), ()),
+                quotes_test.Machine("c", "x86-64, Clang", (), ()))  # fmt: skip
+
+    def errors(self, text):
+        return list(quotes_test.build_errors("page.md", text, self.MACHINES))
+
+    def test_a_wrong_count_of_builds_is_an_error(self):
+        self.assertEqual(self.errors("Three builds for two\narchitectures, one of them emulated"), [])
+        self.assertEqual(self.errors("four builds for two architectures"),
+                         ["page.md: 'four builds for two architectures', but there are three builds for two architectures"])  # fmt: skip
+        self.assertEqual(self.errors("three builds for three architectures"),
+                         ["page.md: 'three builds for three architectures', but there are three builds for two architectures"])  # fmt: skip
+        self.assertEqual(self.errors("three builds for two architectures, all two emulated"),
+                         ["page.md: 'two emulated', but one architectures are emulated"])  # fmt: skip
+
+    def test_builds_are_not_machines(self):
+        self.assertEqual(len(self.errors("the same to the last bit on three machines")), 1)
+        self.assertEqual(len(self.errors("three machines are compared")), 1)
+        self.assertEqual(self.errors("play on three machines"), [])
 
 
 if __name__ == "__main__":

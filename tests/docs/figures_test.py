@@ -270,10 +270,6 @@ FIGURES = [
     Figures("docs/playing.md", "{} frames of each quality", constant("client/play/offscreen/frame_benchmark.h", "kFrames")),
     Figures("docs/playing.md", "median is at most {} ms", constant("client/quality/quality_meter.h", "kHoldSeconds", 1000)),
     Figures("docs/protocol.md", "one message of at most {} bytes", constant(LIMITS, "kMaxMessageBytes")),
-    Figures("README.md", "**{} ×** | the step time of Chipmunk", quoted("docs/speed_vs_error.md", r"\| (\d\.\d+) × chipmunk-7.0 \|")),
-    Figures("README.md", "and {} × that of Box2D 2.4", quoted("docs/speed_vs_error.md", r"(\d\.\d+) times that of box2d-2.4")),
-    Figures("README.md", "A Platon step takes {} × the time", quoted("docs/speed_vs_error.md", r"(\d\.\d+) times that of float64")),
-    Figures("README.md", "**{} kB/s** | from the server to each of 16", quoted("docs/netcode.md", r"\| 16 \| (\d\.\d+) kB/s \|")),
 ]  # fmt: skip
 
 HASH = re.compile(r"^\| (\w+) \| (\d+) \| ([0-9a-f]{16}) \|", re.MULTILINE)
