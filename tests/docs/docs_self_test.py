@@ -85,6 +85,12 @@ class Builds(unittest.TestCase):
         self.assertEqual(len(self.errors("three machines are compared")), 1)
         self.assertEqual(self.errors("play on three machines"), [])
 
+class Steps(unittest.TestCase):
+    def test_a_program_without_its_folder_is_an_error(self):
+        text = "`platon-level check FILE`\n```\n./platon play\nbuild/release/bin/platon-level check a\n```\n1. Then\n\n   ```\n   platon-level check b\n   ```\n"
+        self.assertEqual(list(quotes_test.step_errors("page.md", text)),
+                         ["page.md: 'platon-level check b' is not found in a checkout: write ./platon or build/release/bin/"])  # fmt: skip
+
 
 if __name__ == "__main__":
     sys.exit(unittest.main())

@@ -77,6 +77,19 @@ def build_errors(page, text, machines):
         yield f"{page}: '{wrong}', but builds are compared, all of them on one machine"
 
 
+# Pages whose steps a reader of a checkout runs as they are written.
+OF_CHECKOUT = ("README.md", "docs/editor.md")
+BLOCK = re.compile(r"^ *```.*?^ *```$", re.MULTILINE | re.DOTALL)   # also in a list
+
+
+def step_errors(page, text):
+    """The commands of a page that are not found in a checkout: programs without their folder."""
+    for block in BLOCK.findall(text):
+        for line in block.splitlines():
+            if re.match(r"\s*platon-\w+ ", line):
+                yield f"{page}: '{line.strip()}' is not found in a checkout: write ./platon or build/release/bin/"
+
+
 def errors_of(root):
     sources = Sources(root, root)
     for quote in QUOTES:
@@ -87,6 +100,8 @@ def errors_of(root):
     texts = {str(page): text for page, text in pages.pages(root)} | {"platon": (root / "platon").read_text(encoding="utf-8")}
     for page, text in texts.items():
         yield from build_errors(page, text, list(MACHINES.values()))
+    for page in OF_CHECKOUT:
+        yield from step_errors(page, texts[page])
     for page in WITH_BUILDS:
         if not BUILDS.search(" ".join(texts[page].split())):
             yield f"{page}: does not say how many builds are compared"
