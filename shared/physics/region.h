@@ -14,9 +14,9 @@
 
 namespace platon {
 
-/// The region of the report: a cache of the segments near one instance and of their obstacles. Derived state;
-/// influences speed only. Without it, the grid would be queried before each leg, and a step of 64 entities among 100 or
-/// 10 000 segments would take more than 1.5 times as long.
+/// A cache of the segments near one instance and of their obstacles. Derived state; influences speed only. Without it,
+/// the grid would be queried before each leg, and a step of 64 entities among 100 or 10 000 segments would take more
+/// than 1.5 times as long.
 ///
 /// Most segments of a crowded region stay separated from the shape by one half plane, which is all that is kept of
 /// their obstacles. So its memory is 40 bytes a segment and that of at most kMaxObstacles obstacles.

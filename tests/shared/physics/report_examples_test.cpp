@@ -1,5 +1,5 @@
-// The code examples of the report that this engine began with, with the world as an argument where the report had one
-// world for the whole program. The names are those of the report.
+// The code examples of the report on the program with which this engine began, with the world as an argument where the
+// report had one world for the whole program. The names are those of the report, so that such code still compiles.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -14,7 +14,8 @@ namespace platon {
 
 namespace intern {
 
-/// The vertices of a shape under construction. Checked when an Entity is created from it.
+/// The vertices of a shape, which a program may add one by one. They are checked when a Convex or an Entity is made of
+/// them. The name is that of the program with which this engine began, so that code written for it compiles.
 struct Convex {
   std::vector<Point> vertices;
 };

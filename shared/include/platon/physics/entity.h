@@ -23,10 +23,11 @@ struct WorldLink;
 /// with the state.
 class Entity {
  public:
-  /// Adds an entity to the world. It is in no map part until MapPart::insert. Throws std::invalid_argument when the
-  /// shape is not strictly convex and counter-clockwise.
-  Entity(World& world, const intern::Convex& shape);
+  /// Adds an entity to the world. It is in no map part until MapPart::insert.
   Entity(World& world, const Convex& shape);
+  /// The same with the shape that these vertices form. Throws std::invalid_argument when they are not strictly convex
+  /// and counter-clockwise.
+  Entity(World& world, const intern::Convex& shape);
   /// A handle to the existing entity `index`.
   Entity(World& world, std::uint32_t index);
   /// A handle to the entity with this id.

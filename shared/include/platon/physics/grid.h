@@ -8,9 +8,9 @@
 
 namespace platon {
 
-/// The irregular grid of the report: a spatial index of segments. Cell borders are projections of the segments' end
-/// points on the two axes. Only every k-th projection becomes a border, so that the numbers of cells and references
-/// are linear in the number of segments.
+/// An irregular grid: a spatial index of segments. Cell borders are projections of the segments' end points on the two
+/// axes. Only every k-th projection becomes a border, so that the numbers of cells and references are linear in the
+/// number of segments.
 class Grid {
  public:
   Grid() = default;

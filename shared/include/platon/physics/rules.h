@@ -9,8 +9,7 @@
 
 namespace platon {
 
-/// A segment of a map part that an instance of an entity has to do with, as passed to rules. The report calls it
-/// LineRef.
+/// A segment of a map part that an instance of an entity meets, as passed to rules.
 struct SegmentRef {
   std::uint32_t part = 0;   ///< id of the map part
   std::uint32_t index = 0;  ///< order of MapPart::line calls, followed by the warps in order of MapPart::warp calls
