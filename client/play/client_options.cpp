@@ -1,5 +1,6 @@
 #include "client/play/client_options.h"
 
+#include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <stdexcept>
@@ -132,7 +133,19 @@ void checkModes(const ProgramOptions& program, const ClientOptions& options) {
   checkMode(program, "--replay", options.replay, options);
 }
 
+// Programs that play files take their names without an option, so a player may name one where the server stands.
+void refuseFile(const std::string& host) {
+  const std::filesystem::path file(host);
+  const bool looksLikeFile = file.has_parent_path() || file.extension() == ".level" || file.extension() == ".recording";
+  std::error_code ignored;  // then it is no file
+  if (!looksLikeFile || !std::filesystem::is_regular_file(file, ignored)) return;
+  throw std::invalid_argument("'" + host +
+                              "' is a file, but a server is expected here; to play a level, add --level before the "
+                              "file, to watch a recording --replay, to edit a level --edit");
+}
+
 void check(ClientOptions& options, const std::string& host) {
+  refuseFile(host);
   if (!host.empty()) options.server = parseServerAddress(addressOfLink(host));
   if (options.server && !options.level.empty()) {
     throw std::invalid_argument("--level works only with the embedded server; the server at " + options.server->text() +

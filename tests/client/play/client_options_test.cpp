@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon::client_options_test {
 namespace {
@@ -105,6 +107,18 @@ TEST(ClientOptions, ReadTheServerAddress) {
 
 TEST(ClientOptions, ReadALinkToAServer) {
   EXPECT_EQ(read({"platon://example.org:7800/"})->server->text(), "example.org:7800");
+}
+
+// It was taken for the name of a server, which nobody could find.
+TEST(ClientOptions, AFileInPlaceOfTheServerIsToldFromAServer) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "my_room.level").string();
+  EXPECT_EQ(fault({"my_room.level"}), "none") << "no such file: it may be a server";
+  writeText(file, "");
+  EXPECT_EQ(fault({file.c_str()}), "2 '" + file +
+                                       "' is a file, but a server is expected here; to play a level, add --level "
+                                       "before the file, to watch a recording --replay, to edit a level --edit");
+  EXPECT_EQ(fault({"--level", file.c_str()}), "none");
 }
 
 TEST(ClientOptions, RefuseALevelForARemoteServer) {
