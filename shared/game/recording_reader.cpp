@@ -17,6 +17,16 @@ std::uint64_t readHash(std::span<const std::uint8_t> bytes) {
   return hash;
 }
 
+// What bytes are that do not begin as recordings of this format do.
+std::string otherFormat(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kName = kRecordingMagic.substr(0, kRecordingMagic.size() - 1);
+  const bool isNamed = bytes.size() > kName.size() && std::equal(kName.begin(), kName.end(), bytes.begin());
+  const std::uint8_t format = isNamed ? bytes[kName.size()] : 0;
+  if (format < '0' || format > '9') return "not a recording, or an unsupported version";
+  return "a recording of format " + std::to_string(format - '0') + ", but this program reads format " +
+         std::to_string(kRecordingMagic.back() - '0');
+}
+
 // Reads the runs of one slot. False when they are not as long as the block, or one has an invalid input.
 bool readRuns(StateReader& reader, std::uint32_t slot, RecordedBlock& block) {
   for (std::uint32_t tick = 0; tick < block.ticks();) {
@@ -38,7 +48,7 @@ void RecordingReader::readHead() {
   constexpr std::size_t kFixed = kRecordingMagic.size() + 3 * sizeof(std::uint32_t);
   const std::size_t shared = std::min(bytes_.size(), kRecordingMagic.size());
   if (!std::equal(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(shared), kRecordingMagic.begin())) {
-    return setDamaged(0, "not a recording, or an unsupported version");
+    return setDamaged(0, otherFormat(bytes_));
   }
   if (!hasBytes(kFixed)) return;
   StateReader reader(bytes_.subspan(kRecordingMagic.size()));

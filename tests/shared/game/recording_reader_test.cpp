@@ -168,6 +168,20 @@ TEST(RecordingReaderTest, RefusesHeadsThatThisProgramCannotPlay) {
             "byte 0: not a recording, or an unsupported version");
 }
 
+TEST(RecordingReaderTest, NamesTheFormatOfARecordingThatItDoesNotRead) {
+  Bytes bytes = headOf(kRulesVersion, recordedLevel()->text);
+  const char own = kRecordingMagic.back();
+  for (const char format : {'0', '2', '9'}) {
+    bytes[kRecordingMagic.size() - 1] = static_cast<std::uint8_t>(format);
+    EXPECT_EQ(read(bytes).fault,
+              std::string("byte 0: a recording of format ") + format + ", but this program reads format " + own);
+  }
+  for (const char other : {'/', ':'}) {
+    bytes[kRecordingMagic.size() - 1] = static_cast<std::uint8_t>(other);
+    EXPECT_EQ(read(bytes).fault, "byte 0: not a recording, or an unsupported version");
+  }
+}
+
 TEST(RecordingReaderTest, AnIntactHeadTellsItsRulesAlsoWhenTheyAreOthers) {
   for (const std::uint32_t rules : {kRulesVersion, kRulesVersion + 1}) {
     std::vector<std::uint8_t> head = headOf(rules, "CUBE\n");
