@@ -2,15 +2,10 @@
 
 #include "protocol/label.h"
 #include "protocol/limits.h"
+#include "protocol/version_text.h"
 
 namespace platon {
 namespace {
-
-std::string versionText(std::uint32_t server) {
-  const std::string versions = "the server uses protocol version " + std::to_string(server) + ", this program " +
-                               std::to_string(kProtocolVersion);
-  return versions + (server > kProtocolVersion ? ": update this program" : ": the server must be updated");
-}
 
 std::string bannedText(const std::string& reason) {
   return reason.empty() ? "you are banned from this server" : reason;
@@ -19,7 +14,7 @@ std::string bannedText(const std::string& reason) {
 Connection::Refused explain(const Refusal& refusal) {
   switch (refusal.reason) {
     case RefusalReason::kWrongVersion:
-      return {versionText(refusal.version), true};
+      return {otherVersionText("protocol", refusal.version, kProtocolVersion), true};
     case RefusalReason::kFull:
       return {"the server has no free connection: try again later", false};
     case RefusalReason::kAddress:

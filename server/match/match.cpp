@@ -4,21 +4,14 @@
 #include <cassert>
 
 #include "protocol/label.h"
+#include "protocol/version_text.h"
 
 namespace platon {
 namespace {
 
-std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32_t theirs) {
-  const std::string_view remedy = theirs < ours ? "update your client" : "install the same release as the server";
-  return std::string(what) + " differ: server " + std::to_string(ours) + ", your client " + std::to_string(theirs) +
-         "; " + std::string(remedy);
-}
-
 std::optional<Refused> wrongVersion(const Hello& hello) {
-  if (hello.rulesVersion != kRulesVersion) {
-    return Refused{RefusalCode::kWrongRules, versionReason("rules versions", kRulesVersion, hello.rulesVersion)};
-  }
-  return std::nullopt;
+  if (hello.rulesVersion == kRulesVersion) return std::nullopt;
+  return Refused{RefusalCode::kWrongRules, otherVersionText("rules", kRulesVersion, hello.rulesVersion)};
 }
 
 }  // namespace
