@@ -9,7 +9,7 @@
 
 namespace platon {
 
-/// Version of the messages. It changes whenever the layout or meaning of a message does; both sides must have the same.
+/// Version of the messages; both sides must have the same. docs/architecture.md#versions says when it is raised.
 inline constexpr std::uint32_t kProtocolVersion = 4;
 inline constexpr std::uint16_t kDefaultPort = 7777;
 

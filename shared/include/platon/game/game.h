@@ -18,7 +18,8 @@ inline constexpr int kTicksPerSecond = 60;
 inline constexpr std::uint32_t kMaxPlayers = 256;
 /// Longest round: five minutes.
 inline constexpr std::uint32_t kRoundTicks = 5 * 60 * kTicksPerSecond;
-/// Version of the game's rules. Must be raised with every change after which the same inputs give other hashes.
+/// Version of the game's rules. Raised by a change after which the same inputs give other hashes, as
+/// docs/architecture.md#versions says.
 inline constexpr std::uint32_t kRulesVersion = 7;
 
 /// One round on one level: the world, the players, the goal and the round clock. A copy is an independent game.
