@@ -116,7 +116,7 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
       host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow())),
       bestTimeFile_(settings.bestTimes),
       bestTimes_(bestTimesOf(settings.bestTimes)),
-      match_(LevelRotation(std::move(levels)), matchSettings(settings)),
+      match_(LevelRotation(std::move(levels), settings.start), matchSettings(settings)),
       clock_(steadyNow()),
       nextLogAt_(steadyNow() + kRejectedLogInterval) {
   match_.setRoom([this](ClientId client) {

@@ -15,6 +15,7 @@
 #include "server/app/recording_writer.h"
 #include "server/app/tick_clock.h"
 #include "server/app/tick_times.h"
+#include "server/match/level_rotation.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
 #include "server/net/time_point.h"
@@ -29,13 +30,14 @@ TimePoint steadyNow();
 UtcTime utcNow();
 
 struct ServerSettings {
-  std::string bind = "::";                 ///< address to listen on; "::": all
-  std::uint16_t port = 0;                  ///< 0: any that is free
-  std::optional<ServerIdentity> identity;  ///< nothing: a new one
-  std::string password;                    ///< empty: none
-  std::uint32_t playersPerAddress = 4;     ///< of one household; loopback has no limit
-  MatchSettings match;                     ///< `record` and `playersPerOrigin` are ignored: the server derives them
-  std::string recordings;                  ///< folder for a recording of each round; empty: no recordings
+  std::string bind = "::";                                     ///< address to listen on; "::": all
+  std::uint16_t port = 0;                                      ///< 0: any that is free
+  std::optional<ServerIdentity> identity;                      ///< nothing: a new one
+  std::string password;                                        ///< empty: none
+  std::uint32_t playersPerAddress = 4;                         ///< of one household; loopback has no limit
+  LevelRotation::Start start = LevelRotation::Start::kForOne;  ///< which level is played first
+  MatchSettings match;     ///< `record` and `playersPerOrigin` are ignored: the server derives them
+  std::string recordings;  ///< folder for a recording of each round; empty: no recordings
   std::uint64_t recordLimit = std::uint64_t{10} << 30;  ///< bytes of all recordings in this folder
   std::string bestTimes;                                ///< file of the best times; empty: they end with the server
 };

@@ -5,9 +5,9 @@
 
 namespace platon {
 
-LevelRotation::LevelRotation(std::vector<LevelPointer> levels) : levels_(std::move(levels)) {
+LevelRotation::LevelRotation(std::vector<LevelPointer> levels, Start start) : levels_(std::move(levels)) {
   assert(!levels_.empty());
-  advance(1);
+  advance(start == Start::kFirst ? levels_.front()->players : 1);
 }
 
 std::size_t LevelRotation::placeOfNext(std::size_t players) const {

@@ -14,8 +14,12 @@ using LevelPointer = std::shared_ptr<const Level>;
 /// The levels that a server plays, in order, starting over after the last.
 class LevelRotation {
  public:
-  /// Starts at the first level; `levels` must not be empty.
-  explicit LevelRotation(std::vector<LevelPointer> levels);
+  /// What is played first, while nobody is there yet: kForOne: the first level that one player can play; kFirst: the
+  /// first one, whatever it needs.
+  enum class Start : std::uint8_t { kForOne, kFirst };
+
+  /// `levels` must not be empty.
+  explicit LevelRotation(std::vector<LevelPointer> levels, Start start = Start::kForOne);
 
   const LevelPointer& current() const { return current_; }
   /// The next level after the current one that needs at most so many players, or 1; the next one if there is none.

@@ -74,6 +74,7 @@ ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   settings.bind = wanted.listens ? kAllAddresses : kLoopback;
   settings.port = wanted.listens ? wanted.port : 0;
   settings.password = wanted.password;
+  settings.start = LevelRotation::Start::kFirst;  // the player has chosen it
   settings.match.serverName = "Platon";
   settings.match.maxPlayers = wanted.maxPlayers;
   settings.match.waitsForOne = wanted.waitsForOne;

@@ -71,6 +71,19 @@ TEST(LevelRotation, SkipsLevelsThatNeedMorePlayers) {
   EXPECT_EQ(rotation.next(2), pair);
 }
 
+// Before, who hosted a level for two played the one after it.
+TEST(LevelRotation, StartsAtTheLevelThatWasChosenWhateverItNeeds) {
+  const LevelPointer alone = levelOf(farGoalText());
+  const LevelPointer pair = levelOf("# players: 2\n" + nearGoalText());
+  EXPECT_EQ(LevelRotation({pair, alone}).current(), alone);
+  LevelRotation chosen({pair, alone}, LevelRotation::Start::kFirst);
+  EXPECT_EQ(chosen.current(), pair);
+  chosen.advance(1);
+  EXPECT_EQ(chosen.current(), alone);
+  chosen.advance(1);
+  EXPECT_EQ(chosen.current(), alone) << "later it is skipped";
+}
+
 TEST(LevelRotation, PlaysALevelForMorePlayersIfThereIsNoOther) {
   const LevelPointer pair = levelOf("# players: 2\n" + nearGoalText());
   LevelRotation rotation({pair});

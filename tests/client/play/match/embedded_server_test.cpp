@@ -113,6 +113,23 @@ TEST(EmbeddedServer, PlaysTheLevelAnewWhenItsFileChanges) {
   EXPECT_TRUE(guest.playUntil(plays("second")));
 }
 
+// Before, who hosted a level for two played the one after it.
+TEST(EmbeddedServer, PlaysTheChosenLevelAlsoIfItIsForTwo) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> files{folder / "pair.level", folder / "alone.level"};
+  writeText(files[0], "# title: pair\n# players: 2\n" + nearGoalText());
+  writeText(files[1], "# title: alone\n" + nearGoalText());
+  const EmbeddedServer server({files});
+  Guest guest(server.address());
+  std::string title;
+  ASSERT_TRUE(guest.playUntil([&](const NetworkClient& client) {
+    const Round* const round = client.session() ? client.session()->round() : nullptr;
+    if (round != nullptr) title = round->prediction().predicted().level().title;
+    return round != nullptr;
+  }));
+  EXPECT_EQ(title, "pair");
+}
+
 TEST(EmbeddedServer, CountsItsPlayersAndStartsTheNextLevelWhenAsked) {
   const TemporaryFolder folder;
   std::vector<std::string> files;
