@@ -121,10 +121,19 @@ std::optional<std::uint32_t> Match::freeSlot() const {
   return std::nullopt;
 }
 
+// Whether one more player is what a round waits for, in which a player was alone in a level for several: its clock and
+// the time that they share have run for nothing.
+bool Match::completesLevel() const {
+  return settings_.waitsForOne && !overAt_ && players_.size() >= 1 &&
+         players_.size() + 1 == rotation_.current()->players;
+}
+
 MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) {
     if (rotation_.current()->players > 1) rotation_.advance(1);  // the players for whom it was chosen have left
     startRound();
+  } else if (completesLevel()) {
+    restartRound();
   }
   MatchPlayer joining(slot, names_.claim(slot, hello.name), hello.token, now_);
   MatchPlayer& player = players_.emplace(client, std::move(joining)).first->second;

@@ -35,9 +35,10 @@ struct MatchSettings {
   std::string serverName;         ///< a label; invisible characters are left out
   bool record = false;            ///< record every round
   bool chat = true;               ///< players can talk to each other
-  bool waitsForOne = false;  ///< rounds of a player who is alone have no time limit, and the next one starts when asked
-  bool keepsTimesOfOne = false;  ///< only times of attempts in which no more players were connected than the level
-                                 ///< needs outlast the server
+  bool waitsForOne = false;       ///< rounds of a player who is alone have no time limit, and the next one starts when
+                                  ///< asked; a level for several begins anew when as many have joined as it needs
+  bool keepsTimesOfOne = false;   ///< only times of attempts in which no more players were connected than the level
+                                  ///< needs outlast the server
   std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
 
@@ -203,6 +204,8 @@ class Match {
   std::optional<std::uint32_t> freeSlot() const;
 
   void startRound();
+  void restartRound();
+  bool completesLevel() const;
   void sendRosters();
   std::vector<Input> decideInputs();
   std::uint32_t pauseTicks() const { return waits() ? 0 : kPauseTicks; }

@@ -154,6 +154,10 @@ bool Match::endRoundNow() {
 
 void Match::startNextRound() {
   rotation_.advance(players());
+  restartRound();
+}
+
+void Match::restartRound() {
   startRound();
   sendAll(encode(RoundStart{round_, rotation_.current()->hash}));
 }

@@ -73,6 +73,35 @@ TEST_F(MatchAlone, WithASecondPlayerTheTimeCountsAgain) {
   EXPECT_EQ(network_.match().round(), 2U);
 }
 
+// Before, the round was over as soon as the second player joined, if the first one had waited for five minutes, and the
+// time that they share had run since its first key.
+TEST(MatchAloneForTwo, TheRoundBeginsAnewWhenTheSecondPlayerJoins) {
+  FakeClientNetwork network(Match(LevelRotation({levelOf("# players: 2\n" + shortWayText())}),
+                                  {.maxPlayers = 4, .serverName = "Test", .waitsForOne = true}),
+                            {.delayMs = kTickMs});
+  network.add(FakeClient("P", 12, [](std::uint32_t tick) { return tick < 60 ? +Input::kLeft : 0; }));
+  network.run(kRoundTicks + 600);
+  EXPECT_EQ(network.match().round(), 1U);
+  EXPECT_NE(network.match().game().player(0).startedAt, 0U);
+  network.add(FakeClient("Q", 12, idle));
+  network.run(60);
+  EXPECT_EQ(network.match().round(), 2U);
+  EXPECT_EQ(network.count(MatchEvent::Kind::kRoundEnd), 0U);
+  EXPECT_GT(network.match().game().ticksLeft(), kRoundTicks - 120);
+  EXPECT_EQ(network.match().game().player(1).present, 1U);
+  network.add(FakeClient("R", 12, idle));
+  network.run(60);
+  EXPECT_EQ(network.match().round(), 2U) << "enough were there";
+}
+
+TEST_F(MatchAlone, ASecondPlayerDoesNotBeginALevelForOneAnew) {
+  add(idle);
+  network_.run(600);
+  add(idle);
+  network_.run(60);
+  EXPECT_EQ(network_.match().round(), 1U);
+}
+
 TEST_F(MatchAlone, ASecondPlayerInThePauseIsToldWhenTheNextRoundStarts) {
   add(running);
   network_.run(300);
