@@ -11,6 +11,7 @@
 
 #include "client/files/user_folders.h"
 #include "client/menu/pages/failure_page.h"
+#include "client/menu/pages/several_players_page.h"
 #include "client/replay/same_level.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
@@ -93,7 +94,6 @@ bool FrontPages::showTitle() {
     menu_->open([this, reason = std::string(error.what())] { return failedTitle(reason); });
     return false;
   }
-  choosesLevel_ = false;
   replays_.leave();
   menu_->open([this] { return titlePage(); });
   return true;
@@ -109,7 +109,7 @@ MenuPage FrontPages::failedTitle(const std::string& reason) {
 }
 
 MenuPage FrontPages::titlePage() {
-  choosesLevel_ = false;
+  beside_ = [this] { return nextLevel(); };
   replays_.leave();
   MenuPage page{"Platon"};
   page.large = true;
@@ -134,8 +134,7 @@ std::size_t FrontPages::nextLevel() const {
 std::shared_ptr<const Level> FrontPages::shownLevel() {
   if (levels_.empty()) return nullptr;
   if (std::shared_ptr<const Level> level = replays_.shownLevel()) return level;
-  const bool chooses = choosesLevel_ && menu_->isOpen();
-  return levels_[chooses ? levelOfItem(entries_, menu_->focus()) : nextLevel()].level;
+  return levels_[beside_ && menu_->isOpen() ? beside_() : nextLevel()].level;
 }
 
 std::optional<std::size_t> FrontPages::shippedIndexOf(const Level& level) const {
@@ -162,10 +161,28 @@ std::optional<MedalTimes> FrontPages::medalsOf(const std::shared_ptr<const Level
 
 void FrontPages::showLevels() {
   menu_->push([this] {
-    choosesLevel_ = true;
-    return levelsPage(entries_, [this](std::size_t level) { playFrom(level); });
+    beside_ = [this] { return levelOfItem(entries_, menu_->focus()); };
+    return levelsPage(entries_, [this](std::size_t level) { choose(level); });
   });
   menu_->setFocus(itemOfLevel(entries_, nextLevel()));
+}
+
+// Alone, a server skips a level for several players.
+void FrontPages::choose(std::size_t level) {
+  entries_[level].players > 1 ? showSeveralPlayers(level) : playFrom(level);
+}
+
+void FrontPages::showSeveralPlayers(std::size_t level) {
+  menu_->push([this, level] {
+    beside_ = [level] { return level; };
+    return severalPlayersPage(entries_[level], {[this, level] { hostLevel(level); }, [this] { showJoin(); }});
+  });
+}
+
+void FrontPages::hostLevel(std::size_t level) {
+  hostForm_.level = level;
+  hostForm_.players = std::max<double>(hostForm_.players, entries_[level].players);
+  showHost();
 }
 
 std::vector<std::string> FrontPages::filesFrom(std::size_t level) const {
@@ -301,19 +318,30 @@ void FrontPages::join() {
 
 void FrontPages::showHost() {
   hostForm_.fault.clear();
-  menu_->push([this] { return hostPage(hostForm_, entries_, [this] { host(); }); });
+  menu_->push([this] {
+    beside_ = [this] { return hostForm_.level; };
+    return hostPage(hostForm_, entries_, [this] { host(); });
+  });
+}
+
+// Why the form is refused; empty: it is not.
+std::string FrontPages::hostFault() const {
+  if (!portOf(hostForm_.port.text())) return "The port is a number from 1 to 65535.";
+  const LevelEntry& first = entries_[hostForm_.level];
+  if (hostForm_.players >= first.players) return "";
+  return first.title + " needs " + std::to_string(first.players) +
+         " players: let more of them play, or choose another first level.";
 }
 
 void FrontPages::host() {
-  const std::optional<std::uint16_t> port = portOf(hostForm_.port.text());
-  hostForm_.fault = port ? "" : "The port is a number from 1 to 65535.";
-  if (!port) return;
+  hostForm_.fault = hostFault();
+  if (!hostForm_.fault.empty()) return;
   MatchChoice choice;
   choice.own.levels = filesFrom(hostForm_.level);
   if (hostForm_.onlyLevel) choice.own.levels.resize(1);
   choice.own.listens = true;
   choice.own.waitsForOne = true;
-  choice.own.port = *port;
+  choice.own.port = *portOf(hostForm_.port.text());
   choice.own.password = hostForm_.password.text();
   choice.own.maxPlayers = static_cast<std::uint32_t>(std::lround(hostForm_.players));
   calls_.start(choice);

@@ -58,6 +58,9 @@ class FrontPages {
   MenuPage titlePage();
   MenuPage failedTitle(const std::string& reason);
   void showLevels();
+  void choose(std::size_t level);
+  void showSeveralPlayers(std::size_t level);
+  void hostLevel(std::size_t level);
   void showJoin();
   void showHost();
   void playFrom(std::size_t level);
@@ -67,6 +70,7 @@ class FrontPages {
   void readList(Moment now);
   std::vector<JoinForm::Found> foundServers() const;
   void join();
+  std::string hostFault() const;
   void host();
   void load();
   std::size_t nextLevel() const;
@@ -79,8 +83,8 @@ class FrontPages {
   RecentServers recent_;
   Calls calls_;
   std::vector<ShippedLevel> levels_;
-  std::vector<LevelEntry> entries_;  // of levels_
-  bool choosesLevel_ = false;        // the list of levels was shown last
+  std::vector<LevelEntry> entries_;      // of levels_
+  std::function<std::size_t()> beside_;  // the level to see behind the page that was shown last
   ReplayPages replays_;
   JoinForm joinForm_;
   std::optional<NearServers> near_;  // since the page was shown

@@ -129,7 +129,10 @@ void WindowPlay::handle(const PointerEvent& event) {
 
 void WindowPlay::wishNext() {
   if (!match_) return;
-  if (!match_->alone() || skip_.wish(match_->play().roundOver())) match_->skipLevel();
+  // Of a level for several players nobody who is alone has anything to lose.
+  const std::shared_ptr<const Level> level = match_->play().level();
+  const bool losesNothing = match_->play().roundOver() || (level && level->players > 1);
+  if (!match_->alone() || skip_.wish(losesNothing)) match_->skipLevel();
 }
 
 void WindowPlay::tell(const std::string& text, Moment time) {

@@ -110,6 +110,73 @@ TEST_F(FrontPagesTest, LevelsStartsTheChosenOneAndShowsItBesideTheList) {
   EXPECT_EQ(started_->own.levels.back(), loadShippedLevels()[0].file);
 }
 
+// Before, it started another level without a word.
+TEST_F(FrontPagesTest, ALevelForTwoIsHostedOrJoinedAndSaysWhy) {
+  const std::vector<ShippedLevel> levels = loadShippedLevels();
+  int seen = 0;
+  for (const ShippedLevel& level : levels) {
+    if (level.level->players < 2) continue;
+    ++seen;
+    pages_.showTitle();
+    tap(Key::kArrowDown);
+    tap(Key::kEnter);
+    for (std::size_t i = 0; i < levels.size() && pages_.shownLevel()->hash != level.level->hash; ++i)
+      tap(Key::kArrowUp);
+    tap(Key::kEnter);
+    EXPECT_FALSE(started_) << level.file;
+    EXPECT_TRUE(shows("This level needs 2 players"));
+    EXPECT_EQ(pages_.shownLevel()->hash, level.level->hash);
+    tap(Key::kArrowDown);
+    tap(Key::kEnter);
+    EXPECT_TRUE(shows("Address")) << "the page to join a server";
+    EXPECT_EQ(pages_.shownLevel()->hash, level.level->hash);
+    tap(Key::kEscape);
+    tap(Key::kArrowUp);
+    tap(Key::kEnter);
+    EXPECT_TRUE(shows("First level"));
+    tap(Key::kArrowUp);
+    tap(Key::kEnter);
+    ASSERT_TRUE(started_) << level.file;
+    EXPECT_TRUE(started_->own.listens);
+    EXPECT_EQ(started_->own.levels.front(), level.file);
+    EXPECT_GE(started_->own.maxPlayers, 2U);
+    started_.reset();
+  }
+  EXPECT_EQ(seen, 6);
+}
+
+TEST_F(FrontPagesTest, ALevelForTwoIsNotHostedForOne) {
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  for (int i = 0; i < 32 && !shows("Hold the door"); ++i) tap(Key::kArrowRight);
+  tap(Key::kArrowDown, 2);
+  tap(Key::kArrowLeft, 7);
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  EXPECT_FALSE(started_);
+  EXPECT_TRUE(shows("Hold the door needs 2 players: let more of them play"));
+  tap(Key::kArrowUp, 3);
+  tap(Key::kArrowRight);
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_EQ(started_->own.maxPlayers, 2U);
+}
+
+// Before, the next level to play was shown.
+TEST_F(FrontPagesTest, HostShowsTheChosenLevel) {
+  const std::vector<ShippedLevel> levels = loadShippedLevels();
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  EXPECT_EQ(pages_.shownLevel()->title, levels[0].level->title);
+  tap(Key::kArrowRight, 2);
+  EXPECT_EQ(pages_.shownLevel()->title, levels[2].level->title);
+  tap(Key::kArrowDown);
+  EXPECT_EQ(pages_.shownLevel()->title, levels[2].level->title) << "at every item";
+  tap(Key::kEscape);
+  EXPECT_EQ(pages_.shownLevel()->title, levels[0].level->title) << "the title shows the next level";
+}
+
 TEST_F(FrontPagesTest, OnlyLevelsOfTheGameHaveMedals) {
   EXPECT_TRUE(pages_.medalsOf(loadShippedLevels()[1].level));
   const auto other = loadLevel(readText("tests/determinism/golden/levels/hexahedron.level")).level;

@@ -70,6 +70,40 @@ TEST_F(WindowMatchTest, ALevelOfTheListIsPlayedOverAnEdge) {
   EXPECT_TRUE(stepsDone_);
 }
 
+// Before, "Ghost floor" began without a word.
+TEST_F(WindowMatchTest, ALevelForTwoOfTheListIsHostedAndBeginsAnewWithTheGuest) {
+  const std::string port = std::to_string(EmbeddedServer({{kLevel}}).address().port);  // that is free
+  std::optional<MatchPlay> guest;
+  const auto guested = [&](bool done) {
+    guest->update(steadyClock().now(), [](const Game&, std::uint32_t) { return Input{}; });
+    return done;
+  };
+  const auto isSelected = [this](const std::string& name) {
+    for (const MenuRow& row : play_->menu().layout(font_).rows) {
+      if (row.item == play_->menu().focus()) return row.name.text == name;
+    }
+    return false;
+  };
+  play({{[] {}, [this] { return shows("Levels"); }},
+        {[this] { clickOn("Levels"); }, [this] { return shows("Run and jump"); }},
+        {[] { xdotool("key Up Up Up Up Up Up"); }, [&] { return isSelected("Hold the door"); }},
+        {[] { xdotool("key Return"); }, [this] { return notes("This level needs 2 players") && shows("Join"); }},
+        {[] { xdotool("key Return"); }, [this] { return shows("First level"); }},
+        {[] { xdotool("key Down Down Down BackSpace BackSpace BackSpace BackSpace"); }, [] { return true; }},
+        {[&] { xdotool("type " + port); }, [] { return true; }},
+        {[] { xdotool("key Down Down Return"); }, [this] { return inGame() && levelTitle() == "Hold the door"; }},
+        {[] {}, [this] { return round() != nullptr && round()->id() == 1; }},
+        {[&] { guest.emplace(ClientOptions(), play_->match()->serverAddress(), steadyClock().now()); },
+         [&] { return guested(round() != nullptr && round()->id() == 2 && !play_->match()->alone()); }},
+        {[&] {
+           EXPECT_EQ(levelTitle(), "Hold the door");
+           guest->leave(steadyClock());
+         },
+         [this] { return play_->match()->alone(); }},
+        {[] { xdotool("key v"); }, [this] { return levelTitle() == "Ghost floor"; }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
 TEST_F(WindowMatchTest, AServerThatStopsLeadsToTheOneThatItNames) {
   const EmbeddedServer other({{kLevel}});
   const std::string next = "127.0.0.1:" + std::to_string(other.address().port);
