@@ -138,7 +138,10 @@ void Menu::handle(const KeyEvent& event, const Font& font) {
   const MenuItem& item = page.items[focus()];
   if (item.field != nullptr && item.field->handle(event, clipboard_)) return;
   if (event.kind == KeyEvent::Kind::kCharacter) return;
-  if (const Command command = commandOf(event); command != Command::kNone) perform(command, page);
+  const Command command = commandOf(event);
+  const bool changes = command == Command::kLess || command == Command::kMore;
+  if (event.kind == KeyEvent::Kind::kRepeat && changes && !item.repeats()) return;
+  if (command != Command::kNone) perform(command, page);
   if (isOpen()) pages_.back().first = layout(font).first;
 }
 

@@ -26,8 +26,11 @@ struct MenuItem {
   TextField* field = nullptr;              ///< of a kText
   bool secret = false;                     ///< of a kText: its characters are shown as dots
   bool inMotion = false;                   ///< its value can be judged only on a game that runs
+  bool flips = false;                      ///< of a kChoice: it has two values, and each step leads to the other one
 
   bool canHaveFocus() const { return kind != Kind::kHeading; }
+  /// Whether a key that is held changes the value more than once.
+  bool repeats() const { return kind != Kind::kToggle && !flips; }
 };
 
 }  // namespace platon

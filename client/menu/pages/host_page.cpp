@@ -23,6 +23,7 @@ MenuItem levelItem(HostForm& form, std::span<const LevelEntry> levels) {
 
 MenuItem rotationItem(HostForm& form) {
   MenuItem item{MenuItem::Kind::kChoice, "Then", form.onlyLevel ? "the same again" : "the next levels"};
+  item.flips = true;
   item.step = [&form](int) { form.onlyLevel = !form.onlyLevel; };
   return item;
 }

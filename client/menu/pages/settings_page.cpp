@@ -29,6 +29,7 @@ MenuItem heading(const char* name) { return {MenuItem::Kind::kHeading, name}; }
 MenuItem controlsItem(ControlFrame& frame) {
   const bool player = frame == ControlFrame::kPlayer;
   MenuItem item{MenuItem::Kind::kChoice, "Left and right", player ? "of the ball" : "of the screen"};
+  item.flips = true;
   item.step = [&frame, player](int) { frame = player ? ControlFrame::kScreen : ControlFrame::kPlayer; };
   return item;
 }
@@ -36,6 +37,7 @@ MenuItem controlsItem(ControlFrame& frame) {
 // `toggled`: a press turns the control on and the next press off.
 MenuItem heldItem(const char* control, bool& toggled) {
   MenuItem item{MenuItem::Kind::kChoice, control, toggled ? "press on, press off" : "while the key is held"};
+  item.flips = true;
   item.step = [&toggled](int) { toggled = !toggled; };
   return item;
 }

@@ -135,6 +135,33 @@ TEST_F(MenuTest, KeyRepeatMovesButDoesNotChoose) {
   EXPECT_TRUE(chosen_.empty()) << "neither does Alt+Enter, which is full screen";
 }
 
+// Before, full screen went on and off as long as the key was held.
+TEST_F(MenuTest, AKeyThatIsHeldTogglesOnce) {
+  bool flips = false;
+  const auto hold = [&](std::size_t item) {
+    steps_.clear();
+    menu_.open([&] {
+      MenuPage page = valuePage();
+      page.items[kChoice].flips = flips;
+      return page;
+    });
+    menu_.setFocus(item);
+    for (const Key key : {Key::kArrowRight, Key::kPadLeft}) {
+      menu_.handle({key, Kind::kPress}, font_);
+      for (int i = 0; i < 2; ++i) menu_.handle({key, Kind::kRepeat}, font_);
+      menu_.handle({key, Kind::kRelease}, font_);
+    }
+    return steps_;
+  };
+  const std::vector once{1, -1};
+  const std::vector often{1, 1, 1, -1, -1, -1};
+  EXPECT_EQ(hold(kToggle), once);
+  EXPECT_EQ(hold(kSlider), often);
+  EXPECT_EQ(hold(kChoice), often);
+  flips = true;
+  EXPECT_EQ(hold(kChoice), once) << "a choice of two values";
+}
+
 TEST_F(MenuTest, LeftAndRightChangeValues) {
   for (const std::size_t item : {kChoice, kSlider, kToggle}) {
     steps_.clear();

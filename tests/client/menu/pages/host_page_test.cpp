@@ -31,6 +31,7 @@ TEST_F(HostPage, PlaysOnOrTheSameAgain) {
   page().items[1].step(1);
   EXPECT_EQ(page().items[1].value, "the same again");
   EXPECT_TRUE(form_.onlyLevel);
+  EXPECT_FALSE(page().items[1].repeats()) << "a key that is held would go back and forth";
 }
 
 TEST_F(HostPage, TheNumberOfPlayersStaysInItsRange) {

@@ -1,5 +1,8 @@
 #include "client/menu/pages/settings_page.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace platon::settings_page_test {
@@ -27,6 +30,23 @@ TEST(SettingsPage, EverySettingCanBeChangedAndStaysValid) {
     for (int step = 0; step < 61; ++step) settingsPage(settings).items[i].step(1);
     EXPECT_TRUE(parseSettings(settings.text()).errors.empty()) << name;
   }
+}
+
+TEST(SettingsPage, AKeyThatIsHeldDoesNotGoBackAndForthBetweenTwoValues) {
+  Settings settings;
+  int found = 0;
+  for (std::size_t i = 0; i < settingsPage(settings).items.size(); ++i) {
+    if (!isSetting(settingsPage(settings).items[i])) continue;
+    std::vector<std::string> values;
+    for (int step = 0; step < 3; ++step) {
+      values.push_back(settingsPage(settings).items[i].value);
+      settingsPage(settings).items[i].step(1);
+    }
+    const bool flips = values[0] != values[1] && values[0] == values[2];
+    EXPECT_EQ(settingsPage(settings).items[i].repeats(), !flips) << settingsPage(settings).items[i].name;
+    if (flips) ++found;
+  }
+  EXPECT_GE(found, 13);
 }
 
 TEST(SettingsPage, WithOthersTheGameSpeedCannotBeChosen) {
