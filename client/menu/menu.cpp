@@ -4,12 +4,15 @@
 #include <optional>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "client/menu/menu_painter.h"
 
 namespace platon {
 namespace {
 
 constexpr double kRowsPerNotch = 2;
+constexpr float kTwitch = 4;  // a pointer that moves no farther rests; units of the menu
 
 std::size_t firstFocus(const MenuPage& page) {
   const auto found =
@@ -130,6 +133,7 @@ MenuPage Menu::make() {
 
 void Menu::handle(const KeyEvent& event, const Font& font) {
   if (!isOpen() || event.kind == KeyEvent::Kind::kRelease) return;
+  rest_ = pointer_;
   const MenuPage page = make();
   if (page.takeKey) {
     if (event.kind == KeyEvent::Kind::kPress) note(Deed::kChosen);
@@ -191,13 +195,14 @@ void Menu::change(const MenuPage& page, int direction) {
 }
 
 void Menu::handle(const PointerEvent& event, const Font& font) {
+  const glm::vec2 place = glm::vec2(event.place) / scale_;
+  pointer_ = place;
   if (!isOpen()) return;
   const MenuPage page = make();
   if (page.takeKey) return event.kind == PointerEvent::Kind::kPress ? page.takeKey({Key::kEscape}) : void();
-  const glm::vec2 place = glm::vec2(event.place) / scale_;
   switch (event.kind) {
     case PointerEvent::Kind::kMove:
-      return point(page, place, font);
+      return rests(place) ? void() : point(page, place, font);
     case PointerEvent::Kind::kPress:
       if (goesBack(event)) return perform(Command::kBack, page);
       if (event.button == PointerEvent::Button::kLeft) press(page, place, font);
@@ -209,6 +214,12 @@ void Menu::handle(const PointerEvent& event, const Font& font) {
     case PointerEvent::Kind::kScroll:
       return scroll(page, event, place, font);
   }
+}
+
+// Only a pointer that moves takes the focus from the keys.
+bool Menu::rests(glm::vec2 place) {
+  if (rest_ && glm::distance(*rest_, place) > kTwitch) rest_.reset();
+  return rest_.has_value();
 }
 
 void Menu::point(const MenuPage& page, glm::vec2 place, const Font& font) {

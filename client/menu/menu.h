@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -86,6 +87,7 @@ class Menu {
   void perform(Command command, const MenuPage& page);
   void change(const MenuPage& page, int direction);
   void leave(const MenuPage& page);
+  bool rests(glm::vec2 place);
   void point(const MenuPage& page, glm::vec2 place, const Font& font);
   void press(const MenuPage& page, glm::vec2 place, const Font& font);
   void click(const MenuPage& page, const MenuRow& row, glm::vec2 place);
@@ -97,7 +99,9 @@ class Menu {
   glm::vec2 screen_{1280, Overlay::kHeight};  // in units of the menu
   float width_ = 1280;
   float scale_ = 1;
-  bool dragging_ = false;  // the slider that has the focus
+  std::optional<glm::vec2> pointer_;  // where it is, as far as known
+  std::optional<glm::vec2> rest_;     // where it has been since the last key; nothing: it has moved since
+  bool dragging_ = false;             // the slider that has the focus
   bool aside_ = false;
   Deed deed_ = Deed::kNone;
 };

@@ -240,6 +240,35 @@ TEST_F(MenuTest, ThePointerGivesTheFocusAndAClickChooses) {
   EXPECT_EQ(chosen_, (std::vector<std::size_t>{2}));
 }
 
+// Before, a mouse that somebody pushed against took the focus from the keys.
+TEST_F(MenuTest, APointerAtRestLeavesTheFocusToTheKeys) {
+  openList(6);
+  const glm::vec2 place = middle(row(3).box);
+  point(PointerEvent::Kind::kMove, place);
+  tap(Key::kArrowDown);
+  for (const glm::vec2 twitch : {glm::vec2(0, 0), glm::vec2(2, 1), glm::vec2(-2, -2), glm::vec2(0, 3)}) {
+    point(PointerEvent::Kind::kMove, place + twitch);
+    EXPECT_EQ(menu_.focus(), 4U);
+  }
+  point(PointerEvent::Kind::kMove, place + glm::vec2(5, 0));
+  EXPECT_EQ(menu_.focus(), 3U) << "it has moved";
+  tap(Key::kArrowUp);
+  click(place + glm::vec2(5, 0));
+  EXPECT_EQ(chosen_, (std::vector<std::size_t>{3})) << "a click needs no motion";
+}
+
+// Also a pointer that came to rest over a game.
+TEST_F(MenuTest, APointerAtRestLeavesTheFocusToTheKeysFromTheBeginning) {
+  openList(6);
+  const glm::vec2 place = middle(row(3).box);
+  menu_.close();
+  point(PointerEvent::Kind::kMove, place);
+  openList(6);
+  tap(Key::kArrowDown);
+  point(PointerEvent::Kind::kMove, place + glm::vec2(1, 0));
+  EXPECT_EQ(menu_.focus(), 2U);
+}
+
 TEST_F(MenuTest, TheMouseGoesBackByTwoButtonsAndByTheMark) {
   const auto pushed = [&] {
     openList(4);
