@@ -63,6 +63,7 @@ Window::Window(const std::string& title, int width, int height) : handle_(openWi
   glfwSetWindowUserPointer(handle_, this);
   glfwSetKeyCallback(handle_, onKey);
   glfwSetCharCallback(handle_, onCharacter);
+  glfwSetCursorEnterCallback(handle_, onEnter);
   glfwSetCursorPosCallback(handle_, onMove);
   glfwSetMouseButtonCallback(handle_, onButton);
   glfwSetScrollCallback(handle_, onScroll);
@@ -91,7 +92,7 @@ Window::~Window() {
 void Window::poll() {
   glfwPollEvents();
   const std::vector<KeyEvent> gamepadEvents = gamepadKeys_.update(readGamepads());
-  keyEvents_.insert(keyEvents_.end(), gamepadEvents.begin(), gamepadEvents.end());
+  events_.insert(events_.end(), gamepadEvents.begin(), gamepadEvents.end());
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(handle_, &width, &height);
@@ -109,9 +110,7 @@ bool Window::minimised() const {
 
 void Window::stayOpen() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
 
-std::vector<KeyEvent> Window::takeKeyEvents() { return std::exchange(keyEvents_, {}); }
-
-std::vector<PointerEvent> Window::takePointerEvents() { return std::exchange(pointerEvents_, {}); }
+std::vector<WindowEvent> Window::takeEvents() { return std::exchange(events_, {}); }
 
 std::vector<std::string> Window::takeDroppedFiles() { return std::exchange(droppedFiles_, {}); }
 
@@ -149,22 +148,27 @@ void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, in
   const std::optional<Key> known = keyOfGlfw(key);
   if (!known) return;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
-  window.keyEvents_.push_back({*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0, (mods & GLFW_MOD_CONTROL) != 0,
-                               (mods & GLFW_MOD_SHIFT) != 0});
+  window.events_.push_back(KeyEvent{*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0, (mods & GLFW_MOD_CONTROL) != 0,
+                                    (mods & GLFW_MOD_SHIFT) != 0});
 }
 
 void Window::onCharacter(GLFWwindow* handle, unsigned codePoint) {
   KeyEvent event;
   event.kind = KeyEvent::Kind::kCharacter;
   event.character = codePoint;
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->keyEvents_.push_back(event);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->events_.push_back(event);
 }
 
+void Window::onEnter(GLFWwindow* handle, int entered) {
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->entered_ = entered == GLFW_TRUE;
+}
+
+// The window may have moved below the pointer: only the next place tells that the pointer moves.
 void Window::onMove(GLFWwindow* handle, double x, double y) {
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   window.pointerX_ = x;
   window.pointerY_ = y;
-  window.addPointerEvent(PointerEvent());
+  if (!std::exchange(window.entered_, false)) window.addPointerEvent(PointerEvent());
 }
 
 void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) {
@@ -198,7 +202,7 @@ void Window::addPointerEvent(PointerEvent event) {
   };
   event.alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
   event.shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-  pointerEvents_.push_back(event);
+  events_.push_back(event);
 }
 
 }  // namespace platon

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "client/ui/controls/gamepad_keys.h"
@@ -11,6 +12,8 @@
 struct GLFWwindow;
 
 namespace platon {
+
+using WindowEvent = std::variant<KeyEvent, PointerEvent>;
 
 /// A window with an OpenGL 3.3 core context, which is current from construction to destruction, and the source of the
 /// key events of keyboard and gamepads and of the pointer events of the mouse. At most one exists at a time, on the
@@ -34,13 +37,12 @@ class Window {
   bool minimised() const;
   /// Forgets that the player has asked to close the window.
   void stayOpen();
-  /// Returns the key events since the last call: those of the keyboard in order, and those of the gamepads as of each
-  /// `poll`. Characters that are typed follow their keys. A window that loses the focus releases all keys.
-  std::vector<KeyEvent> takeKeyEvents();
+  /// Returns the events since the last call in the order in which they happened; those of the gamepads as of each
+  /// `poll`. Characters that are typed follow their keys. A window that loses the focus releases all keys; one that
+  /// comes to lie below a pointer at rest gets no kMove.
+  std::vector<WindowEvent> takeEvents();
   /// Whether the gamepad that was used last has been disconnected since the last call; its keys are released.
   bool takeLostGamepad() { return gamepadKeys_.takeLost(); }
-  /// Returns the pointer events since the last call, in order.
-  std::vector<PointerEvent> takePointerEvents();
   /// Returns the paths of the files that were dropped on the window since the last call, in order.
   std::vector<std::string> takeDroppedFiles();
   /// The text of the clipboard, UTF-8; empty if it has none.
@@ -62,6 +64,7 @@ class Window {
  private:
   static void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods);
   static void onCharacter(GLFWwindow* handle, unsigned codePoint);
+  static void onEnter(GLFWwindow* handle, int entered);
   static void onMove(GLFWwindow* handle, double x, double y);
   static void onButton(GLFWwindow* handle, int button, int action, int mods);
   static void onScroll(GLFWwindow* handle, double x, double y);
@@ -69,11 +72,11 @@ class Window {
   void addPointerEvent(PointerEvent event);
 
   GLFWwindow* handle_ = nullptr;
-  std::vector<KeyEvent> keyEvents_;
-  std::vector<PointerEvent> pointerEvents_;
+  std::vector<WindowEvent> events_;
   std::vector<std::string> droppedFiles_;
   double pointerX_ = 0;  // as of the last event, in screen coordinates
   double pointerY_ = 0;
+  bool entered_ = false;  // the pointer is new in the window, and its place is not known yet
   GamepadKeys gamepadKeys_;
   bool vsync_ = true;
   std::uint32_t pixelWidth_ = 0;

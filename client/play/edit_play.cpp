@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "client/editor/new_level.h"
 #include "client/files/settings_file.h"
@@ -100,8 +101,8 @@ void EditPlay::handleEvents() {
   window_->poll();
   renderer_.resize(window_->pixelWidth(), window_->pixelHeight());
   editor_.resize(window_->pixelWidth(), window_->pixelHeight(), settings_.uiScale);
-  for (const KeyEvent& event : window_->takeKeyEvents()) editor_.handle(event);
-  for (const PointerEvent& event : window_->takePointerEvents()) editor_.handle(event);
+  const auto handle = [this](const auto& event) { editor_.handle(event); };
+  for (const WindowEvent& event : window_->takeEvents()) std::visit(handle, event);
   window_->setFullscreen(editor_.fullscreen());
   if (window_->closing()) {
     window_->stayOpen();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <variant>
 #include <utility>
 
 #include "client/gl/gl_loader.h"
@@ -91,9 +92,9 @@ void WindowPlay::handleEvents() {
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
   const Settings& settings = interface_.settings();
   menu_.resize(view_.screenWidth(), view_.textScale(settings));
-  const bool repeats = menu_.isOpen() || replay_;
-  for (const KeyEvent& event : padRepeat_.withRepeats(window_.takeKeyEvents(), repeats, clock_.now())) handle(event);
-  for (const PointerEvent& event : window_.takePointerEvents()) handle(event);
+  const auto handleEach = [this](const auto& event) { handle(event); };
+  for (const WindowEvent& event : window_.takeEvents()) std::visit(handleEach, event);
+  if (const auto again = padRepeat_.repeat(menu_.isOpen() || replay_, clock_.now())) handle(*again);
   if (menu_.isOpen() || replay_) mouseLook_.release();
   if (window_.takeLostGamepad() && interface_.loseGamepad() && match_ && !replay_) matchPages_.loseGamepad(*match_);
   takeDrops();
@@ -106,6 +107,7 @@ void WindowPlay::handleEvents() {
   window_.setVsync(settings.vsync);
 }
 
+  padRepeat_.observe(event, clock_.now());
 void WindowPlay::handle(const KeyEvent& event) {
   if (event.kind == KeyEvent::Kind::kPress) view_.skip();
   const bool inMenu = menu_.isOpen();

@@ -17,14 +17,12 @@ void PadRepeat::observe(const KeyEvent& event, Time now) {
 }
 
 // Late pictures are not made up for: the focus would leap.
-std::vector<KeyEvent> PadRepeat::withRepeats(std::vector<KeyEvent> events, bool repeats, Time now) {
-  for (const KeyEvent& event : events) observe(event, now);
+std::optional<KeyEvent> PadRepeat::repeat(bool repeats, Time now) {
   if (!repeats) held_.reset();
-  if (!held_ || now < next_) return events;
+  if (!held_ || now < next_) return std::nullopt;
   next_ += kInterval;
   if (next_ <= now) next_ = now + kInterval;
-  events.push_back({*held_, KeyEvent::Kind::kRepeat});
-  return events;
+  return KeyEvent{*held_, KeyEvent::Kind::kRepeat};
 }
 
 }  // namespace platon

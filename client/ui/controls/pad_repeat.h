@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <optional>
-#include <vector>
 
 #include "client/ui/key.h"
 
@@ -16,14 +15,13 @@ class PadRepeat {
   static constexpr Time kDelay = std::chrono::milliseconds(400);    ///< from the press to the first repetition
   static constexpr Time kInterval = std::chrono::milliseconds(80);  ///< between two of them
 
-  /// `events` are those since the last call. Returns them and, after them, at most one repetition of the direction that
-  /// was pressed last. A direction that is not repeated `now`, such as one that moves the ball, is repeated only after
-  /// it is pressed again.
-  std::vector<KeyEvent> withRepeats(std::vector<KeyEvent> events, bool repeats, Time now);
+  /// Call with each event.
+  void observe(const KeyEvent& event, Time now);
+  /// The repetition of the direction that was pressed last, if it is due. A direction that is not repeated now, such as
+  /// one that moves the ball, is repeated only after it is pressed again.
+  std::optional<KeyEvent> repeat(bool repeats, Time now);
 
  private:
-  void observe(const KeyEvent& event, Time now);
-
   std::optional<Key> held_;
   Time next_{};  // when held_ is repeated
 };

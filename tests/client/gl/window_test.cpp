@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include "client/gl/game_view.h"
 #include "client/gl/gl_loader.h"
@@ -33,11 +35,21 @@ constexpr std::uint32_t kScreenHeight = 1024;
 constexpr int kWidth = 640;
 constexpr int kHeight = 360;
 
+// The events of this kind since the last call.
+template <class Event>
+std::vector<Event> take(Window& window) {
+  std::vector<Event> taken;
+  for (const WindowEvent& event : window.takeEvents()) {
+    if (const Event* const wanted = std::get_if<Event>(&event)) taken.push_back(*wanted);
+  }
+  return taken;
+}
+
 class WindowTest : public testing::Test {
  protected:
   WindowTest() {
     EXPECT_TRUE(pollUntil([&] { return has(GLFW_FOCUSED); })) << "the window manager does not focus the window";
-    window_.takeKeyEvents();
+    take<KeyEvent>(window_);
   }
   ~WindowTest() override { fakeGamepad.reset(); }
 
@@ -47,7 +59,7 @@ class WindowTest : public testing::Test {
   }
   // The events since the last call, without what was typed.
   Events takeKeys() {
-    Events events = window_.takeKeyEvents();
+    Events events = take<KeyEvent>(window_);
     std::erase_if(events, [](const KeyEvent& event) { return event.kind == Kind::kCharacter; });
     return events;
   }
@@ -167,7 +179,7 @@ TEST_F(WindowTest, TheMouseIsDelivered) {
   xdotool("mousemove " + to(100, 50) + " mousedown 1 mousemove " + to(200, 90) + " mouseup 1 click 4");
   std::vector<PointerEvent> events;
   ASSERT_TRUE(pollUntil([&] {
-    for (const PointerEvent& event : window_.takePointerEvents()) {
+    for (const PointerEvent& event : take<PointerEvent>(window_)) {
       if (event.kind != PointerEvent::Kind::kMove) events.push_back(event);
     }
     return events.size() >= 3;
@@ -180,6 +192,54 @@ TEST_F(WindowTest, TheMouseIsDelivered) {
   EXPECT_EQ(events[2].scroll, 1);
 }
 
+// Before, a window that opened below the pointer, or came back there, got a movement.
+TEST(Window, APointerAtRestDoesNotMoveWhenAWindowComesToLieBelowIt) {
+  xdotool("mousemove 640 512");
+  Window window("Platon", 1200, 900);
+  const auto firstMove = [&](const std::string& motion) {
+    EXPECT_TRUE(stepUntil([&] { window.poll(); }, [&] { return window.focused(); }));
+    xdotool("mousemove_relative " + motion);
+    std::optional<glm::dvec2> first;
+    EXPECT_TRUE(stepUntil([&] { window.poll(); },
+                          [&] {
+                            for (const PointerEvent& event : take<PointerEvent>(window)) {
+                              if (!first) first = event.place;
+                            }
+                            return first.has_value();
+                          }));
+    int x = 0;
+    int y = 0;
+    glfwGetWindowPos(glfwGetCurrentContext(), &x, &y);
+    return glm::round(first.value_or(glm::dvec2()) / (720.0 / 900)) + glm::dvec2(x, y);
+  };
+  EXPECT_EQ(firstMove("20 10"), glm::dvec2(660, 522));
+  window.setFullscreen(true);
+  EXPECT_TRUE(stepUntil([&] { window.poll(); }, [&] { return window.pixelHeight() == kScreenHeight; }));
+  window.setFullscreen(false);
+  EXPECT_TRUE(stepUntil([&] { window.poll(); }, [&] { return window.pixelHeight() == 900; }));
+  EXPECT_EQ(firstMove("20 10"), glm::dvec2(680, 532));
+}
+
+// Before, a program that draws slowly took all keys of a frame first: a click before a key counted after it.
+TEST_F(WindowTest, KeysAndMouseAreDeliveredInTheirOrder) {
+  int x = 0;
+  int y = 0;
+  glfwGetWindowPos(handle_, &x, &y);
+  const std::string press = " mousedown 1 mouseup 1 ";
+  xdotool("mousemove " + std::to_string(x + 100) + " " + std::to_string(y + 50) + press + "key F1" + press + "key F3");
+  std::string order;
+  EXPECT_TRUE(pollUntil([&] {
+    for (const WindowEvent& event : window_.takeEvents()) {
+      const auto* const key = std::get_if<KeyEvent>(&event);
+      const auto* const pointer = std::get_if<PointerEvent>(&event);
+      if (key != nullptr && key->kind == Kind::kPress) order += 'k';
+      if (pointer != nullptr && pointer->kind == PointerEvent::Kind::kPress) order += 'p';
+    }
+    return order.size() >= 4;
+  }));
+  EXPECT_EQ(order, "pkpk");
+}
+
 TEST_F(WindowTest, EachButtonOfTheMouseIsDelivered) {
   using Button = PointerEvent::Button;
   int x = 0;
@@ -188,7 +248,7 @@ TEST_F(WindowTest, EachButtonOfTheMouseIsDelivered) {
   xdotool("mousemove " + std::to_string(x + 100) + " " + std::to_string(y + 50) + " click 1 click 2 click 3 click 8");
   std::vector<Button> pressed;
   ASSERT_TRUE(pollUntil([&] {
-    for (const PointerEvent& event : window_.takePointerEvents()) {
+    for (const PointerEvent& event : take<PointerEvent>(window_)) {
       if (event.kind == PointerEvent::Kind::kPress) pressed.push_back(event.button);
     }
     return pressed.size() >= 4;
@@ -214,7 +274,7 @@ TEST_F(WindowTest, WhatIsTypedIsDeliveredInOrderWithTheKeys) {
   std::u32string typed;
   bool erased = false;
   EXPECT_TRUE(pollUntil([&] {
-    for (const KeyEvent& event : window_.takeKeyEvents()) {
+    for (const KeyEvent& event : take<KeyEvent>(window_)) {
       if (event.kind == Kind::kCharacter) typed += event.character;
       erased = erased || (event.key == Key::kBackspace && event.kind == Kind::kPress && typed == U"a");
     }
@@ -258,10 +318,10 @@ TEST_F(WindowTest, EveryGamepadButtonIsDelivered) {
   for (const auto& [button, key] : kButtons) {
     fakeGamepad.emplace().buttons[button] = GLFW_PRESS;
     window_.poll();
-    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kPress}}));
+    EXPECT_EQ(take<KeyEvent>(window_), (Events{{key, Kind::kPress}}));
     fakeGamepad.emplace();
     window_.poll();
-    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kRelease}}));
+    EXPECT_EQ(take<KeyEvent>(window_), (Events{{key, Kind::kRelease}}));
   }
 }
 
@@ -274,10 +334,10 @@ TEST_F(WindowTest, TheLeftStickIsDelivered) {
   for (const auto& [deflection, key] : kDirections) {
     fakeGamepad.emplace().axes[deflection.first] = deflection.second;
     window_.poll();
-    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kPress}}));
+    EXPECT_EQ(take<KeyEvent>(window_), (Events{{key, Kind::kPress}}));
     fakeGamepad.reset();
     window_.poll();
-    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kRelease}})) << "the gamepad was disconnected";
+    EXPECT_EQ(take<KeyEvent>(window_), (Events{{key, Kind::kRelease}})) << "the gamepad was disconnected";
   }
 }
 
@@ -291,7 +351,7 @@ TEST_F(WindowTest, AGamepadIsLostWhenItIsUnplugged) {
   window_.poll();
   fakeGamepad.reset();
   window_.poll();
-  EXPECT_EQ(window_.takeKeyEvents(), (Events{{Key::kPadA, Kind::kPress}, {Key::kPadA, Kind::kRelease}}));
+  EXPECT_EQ(take<KeyEvent>(window_), (Events{{Key::kPadA, Kind::kPress}, {Key::kPadA, Kind::kRelease}}));
   EXPECT_TRUE(window_.takeLostGamepad());
 }
 
@@ -332,7 +392,7 @@ TEST_F(WindowTest, AWindowWithoutFocusReleasesItsKeysAndGetsNoOthers) {
   // Key repeat may come first.
   const KeyEvent release{Key::kArrowRight, Kind::kRelease};
   EXPECT_TRUE(pollUntil([&] {
-    const Events events = window_.takeKeyEvents();
+    const Events events = take<KeyEvent>(window_);
     return !events.empty() && events.back() == release;
   }));
   ASSERT_TRUE(pollUntil([&] { return glfwGetWindowAttrib(other, GLFW_FOCUSED) == GLFW_TRUE; }));
@@ -340,7 +400,7 @@ TEST_F(WindowTest, AWindowWithoutFocusReleasesItsKeysAndGetsNoOthers) {
   ASSERT_TRUE(pollUntil([&] { return glfwGetKey(other, GLFW_KEY_SPACE) == GLFW_PRESS; }));
   glfwDestroyWindow(other);
   ASSERT_TRUE(pollUntil([&] { return has(GLFW_FOCUSED); }));
-  EXPECT_EQ(window_.takeKeyEvents(), Events());
+  EXPECT_EQ(take<KeyEvent>(window_), Events());
 }
 
 TEST_F(WindowTest, AMinimisedWindowContinuesAndIsRestored) {
