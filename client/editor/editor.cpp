@@ -21,7 +21,7 @@ constexpr double kMaxSeconds = 0.1;  // of play in one picture
 constexpr std::size_t kLongestError = 150;
 
 std::string placeText(const FacePlace& at) {
-  return "face " + std::to_string(at.face) + "   " + coordinateText(std::round(at.place.x)) + "  " +
+  return "face " + std::to_string(at.face) + " · " + coordinateText(std::round(at.place.x)) + ", " +
          coordinateText(std::round(at.place.y));
 }
 

@@ -92,7 +92,7 @@ void addHead(OverlayWriter& writer, const EditorStatus& status) {
   writer.left(status.title, {kMargin + 14, kMargin + 46}, kSize, kSoft);
   addTools(writer, status, {kMargin + 14, kMargin + 74});
   const float below = kMargin + 74 + 24.0F * kEditTools.size();
-  writer.left(nameOf(status.word) + "   grid " + coordinateText(status.grid), {kMargin + 14, below}, kSize, kBright);
+  writer.left(nameOf(status.word) + " · grid " + coordinateText(status.grid), {kMargin + 14, below}, kSize, kBright);
   writer.left(status.place.empty() ? "F1: help" : status.place, {kMargin + 14, below + 22}, kSize, kSoft);
 }
 
@@ -133,7 +133,7 @@ void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& 
   add(status.message, kSoft);
   add(status.error, kWarning);
   if (status.playing)
-    add(status.arrived ? "★  Goal!   Esc: back to editing" : "Playing.  R: again from here   Esc: back to editing",
+    add(std::string(status.arrived ? "✓ Goal!" : "Playing") + " · R: again from here · Esc: back to editing",
         status.arrived ? kGold : kBright);
 }
 

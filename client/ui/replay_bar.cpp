@@ -21,8 +21,10 @@ constexpr float kLine = 56;  // middle of the line
 constexpr float kThick = 8;
 constexpr float kReach = 14;      // above and below the line, where a click counts
 constexpr float kTextWidth = 96;  // left and right of the line
-constexpr const char* kKeys = "Space pause   ← → tick   Shift + ← → 5 s   + − speed   Tab next player   Esc leave";
-constexpr const char* kButtons = "pad A pause   ← → tick   LB RB 5 s   ↑ ↓ speed   Back next player   pad B leave";
+constexpr const char* kKeys =
+    "Space: pause · ← →: tick · Shift + ← →: 5 s · + −: speed · Tab: next player · Esc: leave";
+constexpr const char* kButtons =
+    "pad A: pause · ← →: tick · LB RB: 5 s · ↑ ↓: speed · Back: next player · pad B: leave";
 
 float left() { return kBarMargin + kTextWidth; }
 float right(glm::vec2 screen) { return std::max(screen.x - kBarMargin - kTextWidth, left() + 1); }

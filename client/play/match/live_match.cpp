@@ -90,7 +90,7 @@ std::vector<std::string> LiveMatch::invitation() const {
   if (!server_ || !choice_.own.listens) return {};
   std::string addresses;
   for (const std::string& host : ownAddresses()) {
-    addresses += (addresses.empty() ? "" : "  or  ") + ServerAddress{host, server_->address().port}.text();
+    addresses += (addresses.empty() ? "" : " or ") + ServerAddress{host, server_->address().port}.text();
   }
   if (addresses.empty()) return {"This machine has no network."};
   return {"Others join at " + addresses};

@@ -60,6 +60,19 @@ TEST(EditorPanelTest, WarningsAreShownUpToALimit) {
   EXPECT_EQ(linesOf(report).back(), "text line 7: nobody can touch this");
 }
 
+// Before, only spaces stood between the keys.
+TEST(EditorPanelTest, WhatStandsOnALineIsSeparated) {
+  EditorStatus status = statusOf(LevelReport::Way::kSearching);
+  status.word = {ElementKind::kDoor, 4};
+  status.playing = true;
+  EXPECT_TRUE(shows(status, "door 4 · grid "));
+  EXPECT_TRUE(shows(status, "Playing · R: again from here · Esc: back to editing"));
+  EXPECT_FALSE(shows(status, "  "));
+  status.arrived = true;
+  EXPECT_TRUE(shows(status, "✓ Goal! · R: again from here · Esc: back to editing"));
+  EXPECT_FALSE(shows(status, "  "));
+}
+
 TEST(EditorPanelTest, ErrorsAndTheHelpAreShown) {
   EditorStatus status = statusOf(LevelReport::Way::kSearching);
   EXPECT_FALSE(shows(status, "Ctrl+S"));

@@ -38,8 +38,8 @@ TEST(ReplayBar, NamesTheKeysOrTheButtonsOfTheGamepad) {
   const auto keys = [&](bool gamepad) {
     return makeReplayBar({0, 7200, 1, false, gamepad}, font, kScreen).texts.back().content;
   };
-  EXPECT_EQ(keys(false), "Space pause   ← → tick   Shift + ← → 5 s   + − speed   Tab next player   Esc leave");
-  EXPECT_EQ(keys(true), "pad A pause   ← → tick   LB RB 5 s   ↑ ↓ speed   Back next player   pad B leave");
+  EXPECT_EQ(keys(false), "Space: pause · ← →: tick · Shift + ← →: 5 s · + −: speed · Tab: next player · Esc: leave");
+  EXPECT_EQ(keys(true), "pad A: pause · ← →: tick · LB RB: 5 s · ↑ ↓: speed · Back: next player · pad B: leave");
 }
 
 TEST(ReplayBar, ThePanelReachesBeyondTheLine) {
