@@ -72,11 +72,11 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
       settingsPages_(menu, settings),
       recent_(std::move(recent)),
       calls_(std::move(calls)),
-      replays_(menu, runsFolder(), ghostsFolder(),
-               {[this](const std::filesystem::path& file) { calls_.watch(file); },
-                [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) {
-                  race(level, file);
-                }}),
+      replays_(
+          menu, runsFolder(), ghostsFolder(),
+          {[this](const std::filesystem::path& file) { calls_.watch(file); },
+           [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) { race(level, file); },
+           [this](const std::shared_ptr<const Level>& level) { return entryOf(level).medals; }}),
       settings_(&settings),
       givenListUrl_(std::move(listUrl)) {
   joinForm_.asksList = givenListUrl_.empty();

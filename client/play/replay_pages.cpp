@@ -6,17 +6,17 @@
 #include <utility>
 
 #include "client/menu/pages/run_page.h"
+#include "client/ui/player_rows.h"
 
 namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
 
-ReplayEntry entryOf(const ListedRun& run) {
-  std::string unnamed = run.isRead ? "Level without a title" : "…";
-  if (!run.note.empty()) unnamed = run.file.filename().string();
-  const std::string title = run.level && !run.level->title.empty() ? run.level->title : unnamed;
-  return {title, run.time, run.date, run.who, run.isBest, run.note, run.noRun};
+std::string titleOf(const ListedRun& run) {
+  if (run.level && !run.level->title.empty()) return run.level->title;
+  if (!run.note.empty()) return run.file.filename().string();
+  return run.isRead ? "Level without a title" : "…";
 }
 
 // As people write it: below the home folder with a tilde.
@@ -47,6 +47,15 @@ void ReplayPages::load() {
   refresh();
   chosen_.reset();
   fault_.clear();
+}
+
+// Until the recording has been read, its level is not known, and so neither is its medal. By other rules it has none.
+ReplayEntry ReplayPages::entryOf(const ListedRun& run) const {
+  const std::string time = run.ticks ? finishTextOf(*run.ticks) : "";
+  ReplayEntry entry{titleOf(run), time, run.date, run.who, run.isBest && run.isRead, run.note, run.noRun};
+  if (!run.level || !run.ticks || !run.note.empty()) return entry;
+  if (const std::optional<MedalTimes> times = calls_.medalsOf(run.level)) entry.medal = medalFor(*times, *run.ticks);
+  return entry;
 }
 
 void ReplayPages::refresh() {

@@ -23,6 +23,7 @@ class ReplayPages {
   struct Calls {
     std::function<void(const File&)> watch;
     std::function<void(const std::shared_ptr<const Level>&, const File&)> race;
+    std::function<std::optional<MedalTimes>(const std::shared_ptr<const Level>&)> medalsOf;
   };
 
   /// `menu` outlives the pages. `runs` and `ghosts` are folders; an empty path has no recordings.
@@ -41,6 +42,7 @@ class ReplayPages {
  private:
   void load();
   void refresh();
+  ReplayEntry entryOf(const ListedRun& run) const;
   void poll();
   const File& fileOf(std::size_t index) const { return list_.runs()[index].file; }
   MenuPage listPage();

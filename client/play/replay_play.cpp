@@ -11,15 +11,18 @@
 
 namespace platon {
 
-void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds, bool gamepad) {
+void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds,
+                const ReplayContext& context) {
   settings.netGraph = false;
   const Scene scene = viewer.scene();
   const float scale = view.textScale(settings);
   ReplayStatus status = viewer.status();
-  status.gamepad = gamepad;
+  status.gamepad = context.gamepad;
   const Overlay unscaled = makeReplayBar(status, view.font(), view.screen() / scale);
   const std::array bar{scaledBy(unscaled, scale)};
-  view.draw(&scene, HudStatus(), settings, Overlay(), seconds, bar);
+  HudStatus shown;
+  shown.medal = ownMedalText(scene, context.medals);
+  view.draw(&scene, shown, settings, Overlay(), seconds, bar);
 }
 
 ReplayPlay::ReplayPlay(std::filesystem::path file)
@@ -59,8 +62,8 @@ std::string ReplayPlay::readingText() const {
   return "reading " + file_.filename().string() + " … " + std::to_string(progress_->load()) + " %";
 }
 
-void ReplayPlay::draw(GameView& view, const Settings& settings, double seconds, bool gamepad) const {
-  if (viewer_) return drawReplay(*viewer_, view, settings, seconds, gamepad);
+void ReplayPlay::draw(GameView& view, const Settings& settings, double seconds, const ReplayContext& context) const {
+  if (viewer_) return drawReplay(*viewer_, view, settings, seconds, context);
   HudStatus status;
   status.message = readingText();
   view.draw(nullptr, status, settings, Overlay(), seconds);

@@ -9,12 +9,20 @@
 #include "client/gl/game_view.h"
 #include "client/job/job.h"
 #include "client/replay/replay_viewer.h"
+#include "client/ui/medal.h"
 #include "client/ui/settings.h"
 
 namespace platon {
 
-/// Draws a replay with its bar, `seconds` after the last picture. `gamepad`: the bar names its buttons.
-void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds, bool gamepad = false);
+/// What is shown of a replay besides what it holds.
+struct ReplayContext {
+  bool gamepad = false;                ///< the bar names its buttons
+  std::optional<MedalTimes> medals{};  ///< of the level; nothing: it has none
+};
+
+/// Draws a replay with its bar, `seconds` after the last picture.
+void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds,
+                const ReplayContext& context = {});
 
 /// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile; the end of
 /// this object waits at most for the present MiB, block or tick of the recording.
@@ -33,7 +41,7 @@ class ReplayPlay {
   void skipTo(double seconds) { viewer_->skipTo(seconds); }
   void handle(const KeyEvent& event);
   void handle(PointerEvent event, const GameView& view, const Settings& settings);
-  void draw(GameView& view, const Settings& settings, double seconds, bool gamepad = false) const;
+  void draw(GameView& view, const Settings& settings, double seconds, const ReplayContext& context = {}) const;
 
   const std::filesystem::path& file() const { return file_; }
   /// What is shown while the file is being read: its name, and how far that is.

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <stdexcept>
-#include <variant>
 #include <utility>
+#include <variant>
 
 #include "client/gl/gl_loader.h"
 #include "client/gl/image.h"
@@ -107,8 +106,8 @@ void WindowPlay::handleEvents() {
   window_.setVsync(settings.vsync);
 }
 
-  padRepeat_.observe(event, clock_.now());
 void WindowPlay::handle(const KeyEvent& event) {
+  padRepeat_.observe(event, clock_.now());
   if (event.kind == KeyEvent::Kind::kPress) view_.skip();
   const bool inMenu = menu_.isOpen();
   interface_.handle(event, inMenu || replay_);
@@ -226,6 +225,7 @@ void WindowPlay::takeDrops() {
 
 void WindowPlay::watch(const std::filesystem::path& file) {
   replay_.emplace(file);
+  medals_.reset();
   menu_.close();
 }
 
@@ -243,6 +243,7 @@ void WindowPlay::updateReplay(double seconds) {
 void WindowPlay::leaveReplay(const std::filesystem::path& file) {
   named_ = false;
   replay_.reset();
+  medals_.reset();
   match_ ? matchPages_.showPause(*match_) : front_.showRun(file);
 }
 
@@ -309,10 +310,13 @@ void WindowPlay::drawPreview(double seconds) {
 }
 
 void WindowPlay::drawReplay(double seconds) {
+  const ReplayViewer* const viewer = replay_->viewer();
   sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
   view_.setFlights(false);
   view_.look({});
-  replay_->draw(view_, interface_.settings(), seconds, interface_.keyHints().gamepad());
+  if (viewer != nullptr && !medals_) medals_ = front_.medalsOf(viewer->player().replay().level());
+  const ReplayContext context{interface_.keyHints().gamepad(), medals_.value_or(std::nullopt)};
+  replay_->draw(view_, interface_.settings(), seconds, context);
   view_.present();
 }
 
@@ -352,8 +356,7 @@ std::string WindowPlay::medal(const Scene& scene) {
   const std::shared_ptr<const Level> level = match_->play().level();
   if (!level || !scene.attempt || !scene.attempt->arrived) return medals_.reset(), "";
   if (!medals_) medals_ = front_.medalsOf(level);
-  const auto ticks = static_cast<std::uint32_t>(std::lround(scene.attempt->seconds * kTicksPerSecond));
-  return *medals_ ? medalText(**medals_, ticks) : "";
+  return ownMedalText(scene, *medals_);
 }
 
 void WindowPlay::drawFront(double seconds) {

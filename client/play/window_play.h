@@ -119,7 +119,7 @@ class WindowPlay {
   std::optional<ServerAddress> next_;  // where its server has told to go on after its end
   std::optional<LiveMatch> match_;
   std::optional<ReplayPlay> replay_;                 // shown in front of a match
-  std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
+  std::optional<std::optional<MedalTimes>> medals_;  // of the level: of the replay, or while the player is at its goal
   std::optional<SettingsPreview> preview_;           // while a setting is judged on it
   QualityTrial trial_;
   Steering steering_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "platon/game/level.h"
@@ -13,7 +14,7 @@ namespace platon {
 struct ListedRun {
   std::filesystem::path file;
   std::shared_ptr<const Level> level{};  ///< null if it is not known
-  std::string time{};                    ///< `12.34 s`; empty: it is no run, or the time is not known
+  std::optional<std::uint32_t> ticks{};  ///< its time; nothing: it is no run, or the time is not known
   std::string date{};                    ///< in UTC, `2026-12-01`; empty: unknown
   std::string note{};                    ///< why it cannot be played; empty: it can, as far as is known
   std::string noRun{};                   ///< why it shows no run; empty: it does, or that is not known

@@ -67,11 +67,20 @@ void ReplayViewer::advance(double seconds) {
   if (!dragging_) player_.advance(seconds);
 }
 
+// As in a game, where a player who is alone has all the time it wants.
+bool ReplayViewer::timed() const {
+  const Game& game = player_.game();
+  std::uint32_t present = 0;
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) present += game.player(slot).present != 0 ? 1 : 0;
+  return present > 1;
+}
+
 Scene ReplayViewer::scene() const {
   const Game& game = player_.game();
   SceneSource source;
   source.stage = stage_;
   source.game = &game;
+  source.timed = timed();
   source.fraction = player_.fraction();
   source.others = player_.players();
   source.localSlot = player_.followed();

@@ -35,6 +35,7 @@ class ReplayViewer {
   ReplayStatus status() const;
 
  private:
+  bool timed() const;
   void goBy(std::int32_t ticks);
   void press(Key key);
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "client/replay/ghost_folder.h"
-#include "client/ui/player_rows.h"
 
 namespace platon {
 namespace {
@@ -31,7 +30,7 @@ void RunList::load() {
   runs_.clear();
   for (const StoredRun& run : own_.all()) {
     if (runs_.size() == kMaxOwn) break;
-    add({run.file, run.bytes, run.date}, {.file = run.file, .time = finishTextOf(run.ticks)});
+    add({run.file, run.bytes, run.date}, {.file = run.file, .ticks = run.ticks});
   }
   std::vector<DatedFile> others;
   if (!ghosts_.empty()) others = newestFiles(ghosts_, Subfolders::kWithout, [](const fs::path&) { return true; });
@@ -76,7 +75,7 @@ void RunList::fill() {
     run.note = facts->note;
     run.noRun = facts->noRun;
     run.isRead = true;
-    if (!run.who.empty() || run.note.empty()) run.time = facts->ticks ? finishTextOf(*facts->ticks) : "";
+    if (!run.who.empty() || run.note.empty()) run.ticks = facts->ticks;
   }
   markBest();
 }
@@ -86,7 +85,7 @@ void RunList::markBest() {
   for (std::size_t i = 0; i < runs_.size() && runs_[i].who.empty(); ++i) {
     runs_[i].isBest = false;
     const std::optional<StoredRun> run = own_.ownRunOf(runs_[i].file);
-    if (!run || !runs_[i].note.empty() || runs_[i].time.empty()) continue;
+    if (!run || !runs_[i].note.empty() || !runs_[i].ticks) continue;
     const auto place = std::pair(run->ticks, i);
     const auto known = best.try_emplace(run->level, place).first;
     known->second = std::min(known->second, place);

@@ -38,7 +38,7 @@ Medal medalFor(const MedalTimes& times, std::uint32_t ticks) {
   return ticks <= times.bronze ? Medal::kBronze : Medal::kNone;
 }
 
-std::string starsOf(Medal medal) { return kStars[static_cast<std::size_t>(medal)]; }
+std::string starsOf(std::optional<Medal> medal) { return medal ? kStars[static_cast<std::size_t>(*medal)] : "★"; }
 
 glm::vec4 colourOf(Medal medal) { return kMedalColours[static_cast<std::size_t>(medal)]; }
 

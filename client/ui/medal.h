@@ -25,8 +25,9 @@ MedalTimes medalTimesOf(std::uint32_t wayTicks);
 /// The best medal that a time gives.
 Medal medalFor(const MedalTimes& times, std::uint32_t ticks);
 
-/// Three stars, as many of them filled as the medal counts: ★★★ is gold, ☆☆☆ none.
-std::string starsOf(Medal medal);
+/// Three stars, as many of them filled as the medal counts: ★★★ is gold, ☆☆☆ none. Nothing: one star, for a time on a
+/// level without medals.
+std::string starsOf(std::optional<Medal> medal);
 /// The colour of the medal; that of soft text without one.
 glm::vec4 colourOf(Medal medal);
 

@@ -1,10 +1,12 @@
 #include "client/ui/run_timer.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 #include "client/ui/player_rows.h"
 #include "client/ui/text_scale.h"
+#include "platon/game/game.h"
 
 namespace platon {
 namespace {
@@ -35,11 +37,16 @@ std::string differenceText(double seconds) {
 
 std::string slowedText(double speed) { return "at " + std::to_string(std::lround(speed * 100)) + " % speed, not kept"; }
 
+std::string ownMedalText(const Scene& scene, const std::optional<MedalTimes>& times) {
+  if (!times || !scene.attempt || !scene.attempt->arrived) return "";
+  return medalText(*times, static_cast<std::uint32_t>(std::lround(scene.attempt->seconds * kTicksPerSecond)));
+}
+
 void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, glm::vec2 place) {
   if (!scene.attempt) return;
   const auto& [seconds, arrived] = *scene.attempt;
   const float size = arrived ? 18 : scene.timed ? kSmallestText : 22;
-  const std::string own = (arrived ? "★  Goal in " : scene.timed ? "your time " : "") + finishText(seconds);
+  const std::string own = (arrived ? "✓ Goal in " : scene.timed ? "your time " : "") + finishText(seconds);
   const float end = writer.pillFrom(place.x, own, place.y, size, arrived ? kGold : scene.timed ? kSoft : kBright);
   if (run.difference)
     writer.pillFrom(end + 8, differenceText(*run.difference), place.y, 16, *run.difference <= 0 ? kGood : kWarning);

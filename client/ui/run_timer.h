@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/scene/scene.h"
+#include "client/ui/medal.h"
 #include "client/ui/overlay_writer.h"
 
 namespace platon {
@@ -22,6 +23,10 @@ std::string differenceText(double seconds);
 
 /// What is told of a time that was reached at less than full speed: `at 50 % speed, not kept`.
 std::string slowedText(double speed);
+
+/// What the time of the local player's attempt is worth once it has reached the goal; empty before, and on a level
+/// without medals.
+std::string ownMedalText(const Scene& scene, const std::optional<MedalTimes>& times);
 
 /// The time of the local player's attempt, beside it the difference, and below it the best time. In a round without a
 /// time limit it is the only clock. `place`: left end and middle of the first row. Nothing without a local player.

@@ -1,6 +1,7 @@
 #include "client/menu/pages/levels_page.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "client/ui/player_rows.h"
@@ -38,13 +39,15 @@ std::vector<Row> rowsOf(std::span<const LevelEntry> levels) {
   return rows;
 }
 
-Medal medalOf(const LevelEntry& level) {
-  return level.medals && level.bestTicks ? medalFor(*level.medals, *level.bestTicks) : Medal::kNone;
+// Nothing: without a time, and on a level without medals.
+std::optional<Medal> medalOf(const LevelEntry& level) {
+  if (!level.medals || !level.bestTicks) return std::nullopt;
+  return medalFor(*level.medals, *level.bestTicks);
 }
 
 // What the player has reached; a time of older rules gives no medal.
 std::string reachedText(const LevelEntry& level) {
-  if (level.bestTicks) return (level.medals ? starsOf(medalOf(level)) : "★") + " " + finishTextOf(*level.bestTicks);
+  if (level.bestTicks) return starsOf(medalOf(level)) + " " + finishTextOf(*level.bestTicks);
   const std::string reached = level.reached ? "✓" : "";
   if (!level.olderTicks) return reached;
   return reached + (level.reached ? " " : "") + finishTextOf(*level.olderTicks) + ", older rules";
@@ -53,12 +56,12 @@ std::string reachedText(const LevelEntry& level) {
 std::string factsOf(const LevelEntry& level) {
   const std::string solid = level.players > 1 ? level.solid : "";
   const std::string reached = reachedText(level);
-  return solid + (solid.empty() || reached.empty() ? "" : "   ") + reached;
+  return solid + (solid.empty() || reached.empty() ? "" : " · ") + reached;
 }
 
 MenuItem itemOf(const LevelEntry& level) {
   MenuItem item{.name = level.title, .value = factsOf(level)};
-  if (medalOf(level) != Medal::kNone) item.valueColour = colourOf(medalOf(level));
+  if (const std::optional<Medal> medal = medalOf(level)) item.valueColour = colourOf(*medal);
   return item;
 }
 

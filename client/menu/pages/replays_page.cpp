@@ -8,18 +8,24 @@ bool beginsGroup(std::span<const ReplayEntry> entries, std::size_t entry) {
 }
 
 void append(std::string& text, const std::string& part) {
-  if (!part.empty()) text += (text.empty() ? "" : "   ") + part;
+  if (!part.empty()) text += (text.empty() ? "" : " · ") + part;
 }
 
 std::string factsOf(const ReplayEntry& entry) {
   std::string facts = entry.who;
-  append(facts, entry.isBest && !entry.time.empty() ? "★ " + entry.time : entry.time);
+  append(facts, timeText(entry));
   append(facts, entry.note.substr(0, entry.note.find_first_of(":;")));  // its page tells the rest
   append(facts, entry.date);
   return facts;
 }
 
 }  // namespace
+
+// As the list of levels has it.
+std::string timeText(const ReplayEntry& entry) {
+  if (entry.time.empty() || (!entry.medal && !entry.isBest)) return entry.time;
+  return starsOf(entry.medal) + " " + entry.time;
+}
 
 MenuPage replaysPage(std::span<const ReplayEntry> entries, const std::function<void(std::size_t)>& choose,
                      const std::function<void()>& back) {
@@ -36,6 +42,7 @@ MenuPage replaysPage(std::span<const ReplayEntry> entries, const std::function<v
     const char* const group = entry.who.empty() ? "Your best runs" : "Runs of others";
     if (beginsGroup(entries, i)) page.items.push_back({MenuItem::Kind::kHeading, group});
     page.items.push_back({.name = entry.title, .value = factsOf(entry), .choose = [choose, i] { choose(i); }});
+    if (entry.medal) page.items.back().valueColour = colourOf(*entry.medal);
   }
   return page;
 }

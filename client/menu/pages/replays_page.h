@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "client/menu/menu_page.h"
+#include "client/ui/medal.h"
 
 namespace platon {
 
@@ -14,11 +16,15 @@ struct ReplayEntry {
   std::string title;   ///< of the level
   std::string time{};  ///< to the goal; empty: unknown, or it is no run
   std::string date{};
-  std::string who{};    ///< whose run it is; empty: the player's own
-  bool isBest = false;  ///< of the player's own runs on this level
-  std::string note{};   ///< why it cannot be played, the end of a sentence; empty: it can
-  std::string noRun{};  ///< why it shows no run, likewise; empty: it does
+  std::string who{};             ///< whose run it is; empty: the player's own
+  bool isBest = false;           ///< of the player's own runs on this level
+  std::string note{};            ///< why it cannot be played, the end of a sentence; empty: it can
+  std::string noRun{};           ///< why it shows no run, likewise; empty: it does
+  std::optional<Medal> medal{};  ///< of its time; nothing: not known, or the level has none
 };
+
+/// The time with the stars of its medal; empty if it is unknown.
+std::string timeText(const ReplayEntry& entry);
 
 /// The list of recordings: the player's own runs, then those of others, in this order in `entries`. An empty list says
 /// how recordings get there. `choose` gets the index of an entry.

@@ -5,7 +5,7 @@ namespace {
 
 std::string sentenceOf(const ReplayEntry& entry) {
   std::string facts = entry.who.empty() ? "Your run" : "A recording of " + entry.who;
-  if (!entry.time.empty()) facts += ": " + entry.time + (entry.isBest ? ", your best" : "");
+  if (!entry.time.empty()) facts += ": " + timeText(entry) + (entry.isBest ? ", your best" : "");
   return facts + ". " + entry.date;
 }
 

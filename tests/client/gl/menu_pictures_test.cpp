@@ -13,6 +13,7 @@
 #include "client/menu/pages/pause_page.h"
 #include "client/menu/pages/run_page.h"
 #include "client/menu/pages/say_page.h"
+#include "client/menu/pages/several_players_page.h"
 #include "client/play/front_pages.h"
 #include "client/replay/recording_head.h"
 #include "client/ui/high_contrast_overlay.h"
@@ -106,6 +107,11 @@ TEST_F(MenuPicturesTest, Levels) {
   expectPageAbove("levels", page, 2);
 }
 
+TEST_F(MenuPicturesTest, SeveralPlayers) {
+  resize(960, 540);
+  expectPageAbove("several_players", severalPlayersPage(entries()[4], {[] {}, [] {}}));
+}
+
 TEST_F(MenuPicturesTest, Join) {
   resize(960, 540);
   JoinForm form;
@@ -130,10 +136,13 @@ TEST_F(MenuPicturesTest, Host) {
 
 TEST_F(MenuPicturesTest, Replays) {
   resize(960, 540);
-  const std::vector<ReplayEntry> runs{{"Run and jump", "10.67 s", "2026-11-23", "", true},
-                                      {"Run and jump", "12.02 s", "2026-11-22"},
-                                      {"Over the edge", "16.67 s", "2026-11-20", "Ann"},
-                                      {"Half turn", "", "2026-10-01", "Ben", false, otherRulesText(1)}};
+  std::vector<ReplayEntry> runs{{"Run and jump", "10.67 s", "2026-11-23", "", true},
+                                {"Run and jump", "12.02 s", "2026-11-22"},
+                                {"Over the edge", "16.67 s", "2026-11-20", "Ann"},
+                                {"Half turn", "", "2026-10-01", "Ben", false, otherRulesText(1)}};
+  runs[0].medal = Medal::kGold;
+  runs[1].medal = Medal::kSilver;
+  runs[2].medal = Medal::kBronze;
   expectPageAbove("replays",
                   replaysPage(
                       runs, [](std::size_t) {}, [] {}),

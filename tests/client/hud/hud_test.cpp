@@ -147,10 +147,10 @@ TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   scene.players[1].local = true;
   scene.players[1].finishSeconds = 7.5;
   scene.attempt = {7.5, true};
-  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s"));
-  EXPECT_TRUE(find(hudOf(scene, {.timer = false}), "★  Goal in 7.50 s")) << "also without the timer";
+  EXPECT_TRUE(find(hudOf(scene), "✓ Goal in 7.50 s"));
+  EXPECT_TRUE(find(hudOf(scene, {.timer = false}), "✓ Goal in 7.50 s")) << "also without the timer";
   scene.attempt = {1, false};
-  EXPECT_FALSE(find(hudOf(scene), "★  Goal in 7.50 s")) << "after a restart";
+  EXPECT_FALSE(find(hudOf(scene), "✓ Goal in 7.50 s")) << "after a restart";
 }
 
 TEST(Hud, AloneTheOwnTimeIsTheOnlyClock) {
@@ -230,9 +230,9 @@ TEST(Hud, ShowsTheOwnTimeBelowTheClock) {
   scene.players[1].finishSeconds = 61.02;
   EXPECT_TRUE(find(hudOf(scene), "best 61.02 s"));
   scene.attempt->arrived = true;
-  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 83.25 s"));
+  EXPECT_TRUE(find(hudOf(scene), "✓ Goal in 83.25 s"));
   scene.players[1].finishSeconds = 83.25;
-  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 83.25 s")) << "the best time itself";
+  EXPECT_TRUE(find(hudOf(scene), "✓ Goal in 83.25 s")) << "the best time itself";
 }
 
 TEST(Hud, ShowsThatRReturnsToTheStart) {

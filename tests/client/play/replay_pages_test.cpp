@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "client/ui/font.h"
+#include "client/ui/player_rows.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/environment_variable.h"
@@ -65,6 +66,7 @@ class ReplayPagesTest : public testing::Test {
   Menu menu_;
   fs::path watched_;
   std::shared_ptr<const Level> racedOn_;
+  std::optional<MedalTimes> medals_;
   fs::path raced_;
   ReplayPages pages_{menu_,
                      folder_ / "runs",
@@ -73,7 +75,8 @@ class ReplayPagesTest : public testing::Test {
                       [this](const std::shared_ptr<const Level>& level, const fs::path& file) {
                         racedOn_ = level;
                         raced_ = file;
-                      }}};
+                      },
+                      [this](const std::shared_ptr<const Level>&) { return medals_; }}};
 };
 
 TEST_F(ReplayPagesTest, WithoutRunsTheListSaysHowTheyGetThere) {
@@ -155,8 +158,21 @@ TEST_F(ReplayPagesTest, WhatIsNoRecordingSaysSoAndIsNotWatched) {
 TEST_F(ReplayPagesTest, WhatIsKnownIsShownBeforeTheRecordingIsRead) {
   store_.keep(*played_.run);
   pages_.showList();
-  EXPECT_TRUE(shows("★")) << "the time is in the name of the file";
+  EXPECT_TRUE(shows(finishTextOf(played_.run->ticks))) << "the time is in the name of the file";
+  EXPECT_FALSE(shows("★")) << "only with its level its medal is known";
   EXPECT_TRUE(becomes("Floor"));
+  EXPECT_TRUE(shows("★"));
+}
+
+// Before, the best run had a star, whatever its time was worth.
+TEST_F(ReplayPagesTest, ARunHasTheMedalOfItsTime) {
+  medals_ = MedalTimes{1, 1, 1};
+  store_.keep(*played_.run);
+  pages_.showList();
+  EXPECT_TRUE(becomes("☆☆☆ " + finishTextOf(played_.run->ticks)));
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("Your run: ☆☆☆ "));
+  EXPECT_FALSE(shows("★"));
 }
 
 TEST_F(ReplayPagesTest, TheLevelIsThatOfTheLastReading) {

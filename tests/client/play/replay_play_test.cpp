@@ -88,5 +88,20 @@ TEST(ReplayPlay, DrawsBeforeAndAfterTheFileHasBeenRead) {
   EXPECT_NE(view.read().pixels, reading.pixels);
 }
 
+TEST(ReplayPlay, AtTheGoalTheMedalIsShown) {
+  const Offscreen offscreen;
+  ReplayPlay play("tests/levels/ways/01_run_and_jump.recording");
+  waitForRead(play);
+  const auto pictureOf = [&play](double seconds, const ReplayContext& context) {
+    GameView view(640, 360);
+    play.skipTo(seconds);
+    play.draw(view, Settings(), 0, context);
+    return view.read().pixels;
+  };
+  const ReplayContext rated{.medals = MedalTimes{1, 2, 3}};
+  EXPECT_EQ(pictureOf(0.5, rated), pictureOf(0.5, {}));
+  EXPECT_NE(pictureOf(60, rated), pictureOf(60, {}));
+}
+
 }  // namespace
 }  // namespace platon::replay_play_test

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/replay_of.h"
+#include "tests/shared/game/played_game.h"
 #include "tests/shared/game/recorded_game.h"
 
 namespace platon::replay_viewer_test {
@@ -118,6 +120,21 @@ TEST_F(ReplayViewerTest, TheBarIsClickedAndDragged) {
   EXPECT_EQ(tick(), 1000U);
   point(PointerEvent::Kind::kPress, {kWidth / 2, 100});
   EXPECT_EQ(tick(), 1000U) << "beside the bar";
+}
+
+// Before, a run began under a clock that showed 4:59.
+TEST_F(ReplayViewerTest, TheClockOfTheRoundIsShownOnlyForSeveralPlayers) {
+  viewer_.advance(0.5);
+  EXPECT_TRUE(viewer_.scene().timed);
+  FollowedGame game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+  game.hold(30, 0);
+  game.holdToGoal(300, Input::kRight);
+  ReplayViewer run(replayOf(game.run.value().recording));
+  for (const double seconds : {0.0, 0.5, 60.0}) {
+    run.skipTo(seconds);
+    EXPECT_FALSE(run.scene().timed) << seconds;
+  }
+  EXPECT_TRUE(run.scene().attempt->arrived);
 }
 
 TEST_F(ReplayViewerTest, BeforeTheFirstTickTheStartIsShown) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "client/replay/recording_head.h"
-#include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/older_rules.h"
@@ -50,8 +50,6 @@ class RunListTest : public testing::Test {
     readAll();
     return list_.runs()[index];
   }
-  std::string time() const { return finishText(double{1} * *followed_.time / kTicksPerSecond); }
-
   const TemporaryFolder folder_;
   const fs::path ghosts_ = folder_ / "ghosts";
   RunStore store_{folder_ / "runs"};
@@ -65,7 +63,7 @@ TEST_F(RunListTest, ARunOfAFriendHasTheNameOfItsFile) {
   EXPECT_EQ(run.who, "Anna");
   ASSERT_TRUE(run.level);
   EXPECT_EQ(run.level->title, "Floor");
-  EXPECT_EQ(run.time, time());
+  EXPECT_EQ(run.ticks, followed_.time);
   EXPECT_EQ(run.note, "");
 }
 
@@ -78,7 +76,7 @@ TEST_F(RunListTest, AnOwnFileThatShowsNoRunHasNoTimeAndIsNotTheBest) {
   load();
   ASSERT_EQ(list_.runs().size(), 2U);
   for (const ListedRun& run : list_.runs()) {
-    EXPECT_EQ(run.time, run.file == forged ? "" : time());
+    EXPECT_EQ(run.ticks, run.file == forged ? std::nullopt : followed_.time);
     EXPECT_EQ(run.isBest, run.file != forged);
     EXPECT_EQ(run.noRun.substr(0, 10), run.file == forged ? "is no run:" : "");
   }
@@ -96,12 +94,12 @@ TEST_F(RunListTest, BeforeItIsReadARunHasTheTimeAndDateOfItsFile) {
   ASSERT_EQ(list_.runs().size(), 1U);
   EXPECT_FALSE(list_.runs()[0].isRead);
   EXPECT_EQ(list_.runs()[0].level, nullptr);
-  EXPECT_EQ(list_.runs()[0].time, time());
+  EXPECT_EQ(list_.runs()[0].ticks, followed_.time);
   EXPECT_EQ(list_.runs()[0].date, "2026-02-28");
   EXPECT_TRUE(list_.runs()[0].isBest);
   readAll();
   EXPECT_EQ(list_.runs()[0].level->title, "Floor");
-  EXPECT_EQ(list_.runs()[0].time, time());
+  EXPECT_EQ(list_.runs()[0].ticks, followed_.time);
   list_.load();
   EXPECT_TRUE(list_.runs()[0].isRead) << "it is remembered";
 }
@@ -132,7 +130,7 @@ TEST_F(RunListTest, ADamagedRunAndOneOnAServerAreNotTheBest) {
   for (const ListedRun& run : list_.runs()) {
     const bool isOwn = run.file.parent_path() == folder_ / "runs";
     EXPECT_EQ(run.isBest, isOwn && run.note.empty()) << run.file;
-    EXPECT_EQ(run.note.empty(), run.time == time()) << run.file;
+    EXPECT_EQ(run.note.empty(), run.ticks == followed_.time) << run.file;
   }
 }
 
@@ -144,7 +142,7 @@ TEST_F(RunListTest, ARunOfOlderRulesKeepsTheTimeOfItsName) {
   load();
   ASSERT_EQ(list_.runs().size(), 1U);
   EXPECT_EQ(list_.runs()[0].level->title, "Floor");
-  EXPECT_EQ(list_.runs()[0].time, "0.02 s");
+  EXPECT_EQ(list_.runs()[0].ticks, 1U);
   EXPECT_EQ(list_.runs()[0].note, otherRulesText(kRulesVersion - 1));
   EXPECT_FALSE(list_.runs()[0].isBest);
 }

@@ -32,6 +32,7 @@ TEST(Medal, HasAFormAndAColour) {
   EXPECT_EQ(starsOf(Medal::kSilver), "★★☆");
   EXPECT_EQ(starsOf(Medal::kBronze), "★☆☆");
   EXPECT_EQ(starsOf(Medal::kNone), "☆☆☆");
+  EXPECT_EQ(starsOf({}), "★") << "a level without medals";
   EXPECT_NE(colourOf(Medal::kGold), colourOf(Medal::kSilver));
   EXPECT_NE(colourOf(Medal::kSilver), colourOf(Medal::kBronze));
   EXPECT_NE(colourOf(Medal::kBronze), colourOf(Medal::kNone));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace platon::run_timer_test {
 namespace {
@@ -38,9 +39,17 @@ TEST(RunTimer, ADifferenceHasItsSignAndHundredths) {
 TEST(RunTimer, ShowsTheOwnTimeAndThePersonalBest) {
   EXPECT_EQ(textsOf(sceneOf(3, false), {}), Texts{"your time 3.00 s"});
   EXPECT_EQ(textsOf(sceneOf(3, false), {.best = 2.5}), (Texts{"your time 3.00 s", "personal best 2.50 s"}));
-  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5}), (Texts{"★  Goal in 3.00 s", "personal best 2.50 s"}));
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5}), (Texts{"✓ Goal in 3.00 s", "personal best 2.50 s"}));
   EXPECT_EQ(textsOf(sceneOf(2, true), {.best = 2, .isNewBest = true}),
-            (Texts{"★  Goal in 2.00 s", "new personal best"}));
+            (Texts{"✓ Goal in 2.00 s", "new personal best"}));
+}
+
+TEST(RunTimer, ATimeHasAMedalAtTheGoal) {
+  const MedalTimes times{60, 120, 180};
+  EXPECT_EQ(ownMedalText(sceneOf(1.5, true), times), "★★☆ silver, gold: 1.0 s");
+  EXPECT_EQ(ownMedalText(sceneOf(1.5, false), times), "");
+  EXPECT_EQ(ownMedalText(sceneOf(1.5, true), std::nullopt), "");
+  EXPECT_EQ(ownMedalText(Scene(), times), "") << "no local player";
 }
 
 TEST(RunTimer, ShowsTheDifferenceBesideIt) {
@@ -53,7 +62,7 @@ TEST(RunTimer, WithoutABestRunTheBestOfTheRoundIsShown) {
   scene.players.back().finishSeconds = 4;
   EXPECT_EQ(textsOf(scene, {}), (Texts{"your time 3.00 s", "best 4.00 s"}));
   scene.attempt = AttemptDrawing{4, true};
-  EXPECT_EQ(textsOf(scene, {}), Texts{"★  Goal in 4.00 s"});
+  EXPECT_EQ(textsOf(scene, {}), Texts{"✓ Goal in 4.00 s"});
 }
 
 TEST(RunTimer, WithoutATimeLimitTheOwnTimeIsTheClock) {
@@ -62,13 +71,13 @@ TEST(RunTimer, WithoutATimeLimitTheOwnTimeIsTheClock) {
   EXPECT_EQ(textsOf(scene, {}), Texts{"3.00 s"});
   EXPECT_EQ(textsOf(scene, {.best = 2.5, .difference = 0.25}), (Texts{"3.00 s", "+0.25", "personal best 2.50 s"}));
   scene.attempt->arrived = true;
-  EXPECT_EQ(textsOf(scene, {.best = 3, .isNewBest = true}), (Texts{"★  Goal in 3.00 s", "new personal best"}));
+  EXPECT_EQ(textsOf(scene, {.best = 3, .isNewBest = true}), (Texts{"✓ Goal in 3.00 s", "new personal best"}));
 }
 
 TEST(RunTimer, TellsAtTheGoalWhyTheRunIsNotKept) {
   EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5, .speed = 0.5}),
-            (Texts{"★  Goal in 3.00 s", "at 50 % speed, not kept"}));
-  EXPECT_EQ(textsOf(sceneOf(3, true), {.tooLong = true}), (Texts{"★  Goal in 3.00 s", "too long to be recorded"}));
+            (Texts{"✓ Goal in 3.00 s", "at 50 % speed, not kept"}));
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.tooLong = true}), (Texts{"✓ Goal in 3.00 s", "too long to be recorded"}));
 }
 
 TEST(RunTimer, WithoutALocalPlayerThereIsNone) { EXPECT_EQ(textsOf(Scene(), {.best = 1}), Texts{}); }

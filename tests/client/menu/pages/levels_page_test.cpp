@@ -22,7 +22,7 @@ TEST(LevelsPage, ShowsBestTimesWhereThereAreSomeAndTheSolidBelow) {
   EXPECT_EQ(page.items[1].value, "★ 12.35 s");
   EXPECT_EQ(page.items[2].value, "");
   EXPECT_EQ(page.items[4].value, "CUBE");
-  EXPECT_EQ(page.items[5].value, "TETRAHEDRON   ★ 5.00 s");
+  EXPECT_EQ(page.items[5].value, "TETRAHEDRON · ★ 5.00 s");
 }
 
 TEST(LevelsPage, AMedalHasItsStarsAndItsColour) {
@@ -33,7 +33,7 @@ TEST(LevelsPage, AMedalHasItsStarsAndItsColour) {
   EXPECT_EQ(page.items[1].value, "★★☆ 15.00 s");
   EXPECT_EQ(page.items[1].valueColour, colourOf(Medal::kSilver));
   EXPECT_EQ(page.items[2].value, "☆☆☆ 150.00 s");
-  EXPECT_FALSE(page.items[2].valueColour);
+  EXPECT_EQ(page.items[2].valueColour, colourOf(Medal::kNone));
   EXPECT_EQ(page.items[3].value, "");
 }
 
@@ -53,9 +53,9 @@ TEST(LevelsPage, ATimeOfOlderRulesSaysSoAndGivesNoMedal) {
   level.reached = true;
   EXPECT_EQ(valueOf(level), "✓ 12.35 s, older rules");
   level.players = 2;
-  EXPECT_EQ(valueOf(level), "CUBE   ✓ 12.35 s, older rules");
+  EXPECT_EQ(valueOf(level), "CUBE · ✓ 12.35 s, older rules");
   level.bestTicks = 900;
-  EXPECT_EQ(valueOf(level), "CUBE   ★★☆ 15.00 s");
+  EXPECT_EQ(valueOf(level), "CUBE · ★★☆ 15.00 s");
 }
 
 TEST(LevelsPage, ItemsAndLevelsBelongTogether) {

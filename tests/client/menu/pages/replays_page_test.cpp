@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "client/menu/pages/levels_page.h"
+
 namespace platon::replays_page_test {
 namespace {
 
@@ -25,10 +27,28 @@ TEST(ReplaysPage, OwnRunsAndThoseOfOthersHaveHeadings) {
 
 TEST(ReplaysPage, ARowShowsWhoTimeAndDate) {
   const MenuPage page = replaysPage(kEntries, nullptr, nullptr);
-  EXPECT_EQ(page.items[1].value, "★ 1.00 s   2026-01-02");
-  EXPECT_EQ(page.items[2].value, "2.00 s   is a damaged recording   2026-01-01");
-  EXPECT_EQ(page.items[4].value, "Anna   1.50 s   2026-01-03");
-  EXPECT_EQ(page.items[5].value, "round   2026-01-02");
+  EXPECT_EQ(page.items[1].value, "★ 1.00 s · 2026-01-02");
+  EXPECT_EQ(page.items[2].value, "2.00 s · is a damaged recording · 2026-01-01");
+  EXPECT_EQ(page.items[4].value, "Anna · 1.50 s · 2026-01-03");
+  EXPECT_EQ(page.items[5].value, "round · 2026-01-02");
+}
+
+// Before, the best run had a star here and none in the list of levels.
+TEST(ReplaysPage, ARunHasTheMedalThatItHasInTheListOfLevels) {
+  const MedalTimes medals = medalTimesOf(60);
+  const LevelEntry level{.title = "One", .solid = "CUBE", .bestTicks = 600, .medals = medals};
+  ReplayEntry best{"One", "10.00 s", "2026-01-02", "", true};
+  best.medal = medalFor(medals, 600);
+  ReplayEntry friends{"One", "1.00 s", "2026-01-02", "Anna"};
+  friends.medal = medalFor(medals, 60);
+  const std::vector<ReplayEntry> entries{best, friends};
+  const MenuPage page = replaysPage(entries, nullptr, nullptr);
+  const MenuItem inLevels = levelsPage({&level, 1}, nullptr).items[1];
+  EXPECT_EQ(inLevels.value, "☆☆☆ 10.00 s");
+  EXPECT_EQ(page.items[1].value, inLevels.value + " · 2026-01-02");
+  EXPECT_EQ(page.items[1].valueColour, inLevels.valueColour);
+  EXPECT_EQ(page.items[3].value, "Anna · ★★★ 1.00 s · 2026-01-02");
+  EXPECT_EQ(page.items[3].valueColour, colourOf(Medal::kGold));
 }
 
 TEST(ReplaysPage, ItemsAndEntriesBelongTogether) {

@@ -30,10 +30,13 @@ TEST(RunPage, OffersWhatIsSet) {
 TEST(RunPage, NamesTheFileAndSaysWhoseItIs) {
   const MenuPage own = runPage({"One", "1.00 s", "2026-01-02", "", true}, "~/runs/x", "", {});
   EXPECT_EQ(own.title, "One");
-  EXPECT_EQ(own.notes[0], "Your run: 1.00 s, your best. 2026-01-02");
+  EXPECT_EQ(own.notes[0], "Your run: ★ 1.00 s, your best. 2026-01-02");
   EXPECT_NE(own.notes[1].find("send this file"), std::string::npos);
   EXPECT_EQ(own.notes[2], "~/runs/x");
   EXPECT_FALSE(own.warning);
+  ReplayEntry rated{"One", "1.00 s", "2026-01-02", "Anna"};
+  rated.medal = Medal::kSilver;
+  EXPECT_EQ(runPage(rated, "x", "", {}).notes[0], "A recording of Anna: ★★☆ 1.00 s. 2026-01-02");
   const MenuPage other = runPage({"One", "", "2026-01-02", "Anna"}, "x", "", {});
   EXPECT_EQ(other.notes[0], "A recording of Anna. 2026-01-02");
 }
