@@ -85,11 +85,11 @@ enet_uint32 connectIdOf(ByteSpan connect) {
   return id;
 }
 
-// Null if no command of this number is outstanding.
-const ENetOutgoingCommand* findOutstanding(const ENetPeer& sender, std::uint8_t channel, std::uint16_t sequence) {
-  const ENetOutgoingCommand* found = nullptr;
+// Whether a command of this number is outstanding.
+bool isOutstanding(const ENetPeer& sender, std::uint8_t channel, std::uint16_t sequence) {
+  bool found = false;
   forEachOutstanding(sender, [&](const ENetOutgoingCommand& each) {
-    if (each.command.header.channelID == channel && each.reliableSequenceNumber == sequence) found = &each;
+    found = found || (each.command.header.channelID == channel && each.reliableSequenceNumber == sequence);
   });
   return found;
 }
@@ -150,23 +150,19 @@ std::size_t bytesOf(const ENetOutgoingCommand& command) {
   return enet_protocol_command_size(command.command.header.command) + command.fragmentLength;
 }
 
-std::size_t removeFalseAcknowledgements(Bytes& content, EnetCommands& commands, const ENetPeer& receiver) {
+void removeFalseAcknowledgements(Bytes& content, EnetCommands& commands, const ENetPeer& receiver) {
   const EnetCommands all = commands;
   const Bytes from = std::move(content);
-  std::size_t acknowledged = 0;
   content.assign(from.begin(), from.begin() + all.commands[0].offset);
   commands.count = 0;
   for (const EnetCommand& each : std::span(all.commands).first(all.count)) {
-    if (each.command == ENET_PROTOCOL_COMMAND_ACKNOWLEDGE) {
-      const ENetOutgoingCommand* const sent = findOutstanding(receiver, each.channel, each.sequence);
-      if (sent == nullptr || acknowledges(commands, each)) continue;
-      acknowledged += bytesOf(*sent);
-    }
+    const bool isFalse = each.command == ENET_PROTOCOL_COMMAND_ACKNOWLEDGE &&
+                         (!isOutstanding(receiver, each.channel, each.sequence) || acknowledges(commands, each));
+    if (isFalse) continue;
     commands.commands[commands.count] = each;
     commands.commands[commands.count++].offset = static_cast<std::uint16_t>(content.size());
     content.insert(content.end(), from.begin() + each.offset, from.begin() + each.offset + each.bytes);
   }
-  return acknowledged;
 }
 
 }  // namespace platon

@@ -64,8 +64,8 @@ void forEachOutstanding(const ENetPeer& sender, Visit visit) {
 std::size_t bytesOf(const ENetOutgoingCommand& command);
 
 /// Removes from a content all acknowledgements of commands that are not outstanding at their sender, `receiver`, and
-/// repeated ones. ENet would take them for a sign of life and believe the time in them. Returns the bytes of the
-/// commands that are acknowledged. `commands` are those of the content, before and after.
-std::size_t removeFalseAcknowledgements(Bytes& content, EnetCommands& commands, const ENetPeer& receiver);
+/// repeated ones. ENet would take them for a sign of life and believe the time in them. `commands` are those of the
+/// content, before and after.
+void removeFalseAcknowledgements(Bytes& content, EnetCommands& commands, const ENetPeer& receiver);
 
 }  // namespace platon

@@ -110,9 +110,7 @@ bool Host::accepts(SessionId session, Bytes& content) {
   Connection& connection = connections_[commands->peer];
   connection.receivedAt = now_;
   if (!charge(connection, content.size())) return false;
-  const std::size_t acknowledged = removeFalseAcknowledgements(content, *commands, host_->peers[commands->peer]);
-  connection.resends.add(static_cast<double>(kGainOfAcknowledged * acknowledged));
-  connection.window = std::min(connection.window + kGainOfAcknowledged * acknowledged, kMaxWindow);
+  removeFalseAcknowledgements(content, *commands, host_->peers[commands->peer]);
   return commands->count != 0;
 }
 
@@ -155,7 +153,10 @@ std::span<const HostEvent> Host::service(Moment now) {
   events_.clear();
   packets_.clear();
   endSlow();
-  for (std::size_t index = 0; index < connections_.size(); ++index) limitResends(index);
+  for (std::size_t index = 0; index < connections_.size(); ++index) {
+    limitResends(index);
+    noteOutstanding(connections_[index], host_->peers[index]);
+  }
   ENetEvent event{};
   for (int pass = 0; pass < kMaxServiceCalls; ++pass) {
     const int result = serviceEnet(*host_, event);
@@ -219,20 +220,33 @@ void Host::maintain(std::size_t index) {
     return;
   }
   fixSettings(peer);
-  peer.windowSize = static_cast<enet_uint32>(connection.window);
   noteOutstanding(connection, peer);
+  peer.windowSize = static_cast<enet_uint32>(connection.window);
   if (hasTimedOut(connection)) end(index);
 }
 
+// What was outstanding and is no longer has been acknowledged. Only ENet knows: it ignores an acknowledgement with a
+// time in the future, and all that follow a command which it refuses. Call it before ENet receives anything, too,
+// because what was sent since may be acknowledged at once.
 void Host::noteOutstanding(Connection& connection, const ENetPeer& peer) const {
   const std::vector<Outstanding> before = std::exchange(connection.outstanding, {});
   forEachOutstanding(peer, [&](const ENetOutgoingCommand& command) {
-    Outstanding now{command.command.header.channelID, command.reliableSequenceNumber, now_};
-    for (const Outstanding& each : before) {
-      if (each.channel == now.channel && each.sequence == now.sequence) now.since = each.since;
-    }
-    connection.outstanding.push_back(now);
+    connection.outstanding.push_back(
+        {command.command.header.channelID, command.reliableSequenceNumber, bytesOf(command), now_});
   });
+  std::size_t acknowledged = 0;
+  for (const Outstanding& each : before) {
+    const auto same = std::find_if(
+        connection.outstanding.begin(), connection.outstanding.end(),
+        [&](const Outstanding& now) { return now.channel == each.channel && now.sequence == each.sequence; });
+    if (same == connection.outstanding.end()) {
+      acknowledged += each.bytes;
+    } else {
+      same->since = each.since;
+    }
+  }
+  connection.resends.add(static_cast<double>(kGainOfAcknowledged * acknowledged));
+  connection.window = std::min(connection.window + kGainOfAcknowledged * acknowledged, kMaxWindow);
 }
 
 bool Host::hasTimedOut(const Connection& connection) {

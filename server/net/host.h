@@ -112,6 +112,7 @@ class Host : private EnetPort {
   struct Outstanding {
     std::uint8_t channel = 0;
     std::uint16_t sequence = 0;
+    std::size_t bytes = 0;
     Moment since;  // when it was first sent
   };
 
@@ -129,7 +130,7 @@ class Host : private EnetPort {
     TokenBucket bytes;
     TokenBucket resends;                   // bytes that may be sent again
     std::size_t window;                    // most bytes of messages that may be outstanding
-    std::vector<Outstanding> outstanding;  // at the end of the last call of `service`
+    std::vector<Outstanding> outstanding;  // when it was noted last
   };
 
   using Packet = std::unique_ptr<ENetPacket, void (*)(ENetPacket*)>;

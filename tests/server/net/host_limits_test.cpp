@@ -30,6 +30,25 @@ class UnacknowledgedTest : public HostTest {
   void acknowledge(std::uint16_t sequence) {
     eve_.send(acknowledgeContent(eve_.peer(), sequence, kReliableChannel, time()), now_);
   }
+  // Sends the content a hundred times a second for nine seconds, and counts the messages that are sent meanwhile.
+  template <class Content>
+  std::size_t messagesSentDuring(Content content) {
+    const std::size_t before = bytesToEve();
+    say(40);
+    for (const Moment end = now_ + 9s; now_ < end; now_ += 10ms) {
+      eve_.send(content(), now_);
+      host_.service(now_);
+      host_.flush(now_);
+    }
+    return (bytesToEve() - before) / 1000;
+  }
+  Bytes acknowledgementOfAll(std::uint16_t time) const {
+    std::vector<Bytes> contents;
+    for (std::uint16_t sequence = 1; sequence <= 4; ++sequence) {
+      contents.push_back(acknowledgeContent(eve_.peer(), sequence, kReliableChannel, time));
+    }
+    return joinedContents(contents);
+  }
   std::size_t bytesToEve() const { return network_.bytesTo(kEve); }
   std::uint16_t time() const { return static_cast<std::uint16_t>(now_ / 1ms); }
 
@@ -102,6 +121,23 @@ TEST_F(UnacknowledgedTest, WhoAcknowledgesIsSentThreeTimesAsMuchAtOnce) {
   host_.service(now_);  // the window grows after it
   host_.flush(now_);
   EXPECT_EQ((bytesToEve() - before) / 1000, 4u + 12);
+}
+
+// ENet ignores them, so that each could be repeated without end, and each let the server send more again.
+TEST_F(UnacknowledgedTest, AcknowledgementsWithATimeInTheFutureEarnNothing) {
+  const auto content = [this] { return acknowledgementOfAll(static_cast<std::uint16_t>(time() + 1)); };
+  EXPECT_EQ(messagesSentDuring(content), 4u + (1536 + 9 * 384) / 1026);
+}
+
+// A ping without a time ends what ENet reads of a datagram.
+TEST_F(UnacknowledgedTest, AcknowledgementsThatEnetDoesNotReadEarnNothing) {
+  const auto content = [this] {
+    Bytes untimed = joinedContents({pingContent(eve_.peer()), acknowledgementOfAll(time())});
+    untimed[0] &= 0x7f;
+    untimed.erase(untimed.begin() + 2, untimed.begin() + kCommandAt);
+    return untimed;
+  };
+  EXPECT_EQ(messagesSentDuring(content), 4u + (1536 + 9 * 384) / 1026);
 }
 
 TEST_F(HostLimitsTest, AfterAnInterruptionOfFourSecondsAllMessagesArrive) {
