@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "protocol/token_bucket.h"
@@ -25,14 +26,22 @@ class NetworkBudgets {
 
   /// Takes 1 from both buckets of the network. False if neither holds it.
   bool take(std::uint64_t network, Moment now) {
-    const std::uint64_t hash = hashOf(network);
-    TokenBucket& first = buckets_[hash % kBuckets];
-    TokenBucket& second = buckets_[(hash >> 32) % kBuckets];
-    const bool isWithin = first.take(1, now);
-    return (&second != &first && second.take(1, now)) || isWithin;
+    const auto [first, second] = bucketsOf(network);
+    const bool isWithin = first->take(1, now);
+    return (second != first && second->take(1, now)) || isWithin;
+  }
+
+  /// Whether `take` would succeed.
+  bool holds(std::uint64_t network, Moment now) {
+    const auto [first, second] = bucketsOf(network);
+    return TokenBucket(*first).take(1, now) || TokenBucket(*second).take(1, now);
   }
 
  private:
+  std::pair<TokenBucket*, TokenBucket*> bucketsOf(std::uint64_t network) {
+    const std::uint64_t hash = hashOf(network);
+    return {&buckets_[hash % kBuckets], &buckets_[(hash >> 32) % kBuckets]};
+  }
   std::uint64_t hashOf(std::uint64_t network) const {
     static_assert(sizeof key_ >= crypto_shorthash_KEYBYTES && crypto_shorthash_BYTES == sizeof network);
     std::array<std::uint8_t, sizeof network> bytes;

@@ -109,11 +109,14 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
 }
 
 // An owner of many households, as every connection to the internet by IPv6 has them, must not use up what all newcomers
-// share.
+// share. What is refused takes nothing: beyond the budget of their site, its households would drain the buckets of all
+// others; beyond its own, a household would drain that of its site.
 bool ServerGate::takeBudget(const IpAddress& client, Moment now) {
-  const bool within =
-      client.isLoopback() || (households_.take(client.household(), now) && sites_.take(client.site(), now));
-  return within && handshakes_.take(1, now);
+  if (client.isLoopback()) return handshakes_.take(1, now);
+  if (!households_.holds(client.household(), now) || !sites_.holds(client.site(), now)) return false;
+  households_.take(client.household(), now);
+  sites_.take(client.site(), now);
+  return handshakes_.take(1, now);
 }
 
 // Whether a session, or `moving`, may be at this address.

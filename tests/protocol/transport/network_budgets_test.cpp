@@ -26,6 +26,16 @@ TEST(NetworkBudgetsTest, ANetworkHasItsLimitAtOnceAndThenItsRate) {
   EXPECT_FALSE(some.take(5, kStart + milliseconds(500)));
 }
 
+TEST(NetworkBudgetsTest, HoldsWhatCanBeTaken) {
+  NetworkBudgets some = budgets();
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(some.holds(5, kStart)) << "it takes nothing";
+  while (some.take(5, kStart)) {
+  }
+  EXPECT_FALSE(some.holds(5, kStart));
+  EXPECT_FALSE(some.holds(5, kStart + milliseconds(499)));
+  EXPECT_TRUE(some.holds(5, kStart + milliseconds(500)));
+}
+
 // With one bucket each, several of these newcomers would share that of the attacker.
 TEST(NetworkBudgetsTest, AnAttackerKeepsNoNewcomerOut) {
   NetworkBudgets attacked = budgets();

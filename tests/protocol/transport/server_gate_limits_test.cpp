@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
+
+#include "protocol/limits.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/server_gate.h"
 #include "tests/support/transport/server_gate_fixture.h"
@@ -87,6 +91,45 @@ TEST_F(ServerGateTest, HandshakesAndSessionsOfASiteAreLimited) {
     receive();
   }
   EXPECT_EQ(gate_->counters().handshakes - before, 28u);
+}
+
+// What its site refused was charged to its households all the same: requests from so many of them emptied all buckets,
+// and nobody else could join.
+TEST_F(ServerGateTest, ASiteDrainsNoBudgetsOfOtherHouseholds) {
+  start({100, 100, {}, false});
+  const KeyPair keys = KeyPair::random();
+  for (int i = 0; i < 20000; ++i) {
+    std::array<char, 32> household{};
+    std::snprintf(household.data(), household.size(), "2001:db8:1:%x::1", i);
+    const SocketAddress own = addressAt(household.data(), 4000);
+    gate_->beginRound();
+    network_.inject(own, kServer, encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), keys.open}));
+    receive();
+    Open open{decodeCookieReply(network_.sent().back().bytes)->cookie, {}};  // with a wrong exchange
+    std::copy(keys.open.begin(), keys.open.end(), open.exchange.begin());
+    network_.inject(own, kServer, encode(open));
+    receive();
+    network_.forgetSent();
+  }
+  EXPECT_EQ(gate_->counters().password, 32u);
+  EXPECT_EQ(gate_->counters().handshakes, 20000u - 32);
+  for (int i = 0; i < 32; ++i) EXPECT_EQ(join(clientAt(i)).state(), ClientGate::State::kOpen) << i;
+}
+
+TEST_F(ServerGateTest, AHouseholdDrainsNoBudgetOfItsSite) {
+  start({100, 100, {}, false});
+  const auto join = [this](const SocketAddress& own) {
+    ClientGate client(network_.socket(own), {kServer}, {}, KeyPair::random());
+    client.update(now_);
+    receive();
+    client.receive(now_);
+    receive();
+    client.receive(now_);
+    return client.state();
+  };
+  for (std::uint16_t i = 0; i < 40; ++i) join(addressAt("2001:db8:1:1::1", static_cast<std::uint16_t>(1 + i)));
+  EXPECT_EQ(gate_->counters().handshakes, 32u);
+  EXPECT_EQ(join(addressAt("2001:db8:1:2::1", 1)), ClientGate::State::kOpen);
 }
 
 // It was taken for a client that had joined: it got no answer and was not counted.
