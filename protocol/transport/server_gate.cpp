@@ -105,26 +105,36 @@ std::optional<ServerGate::Received> ServerGate::takeSealed(const Datagram& datag
 // The client sends from another address, for instance because a router gave it another port. Answers go there only
 // after it has shown that it also receives there; otherwise anybody could direct them at others. Or somebody on the
 // wire has overtaken its datagram: then it still receives at the old address, and shows that. A household that is full
-// gets no challenge: its limit would be worth nothing if sessions could begin elsewhere.
+// gets no challenge: its limit would be worth nothing if sessions could begin elsewhere. A client that does not move is
+// asked at times, too: it may have left, and forge its sender to have the server send there.
 void ServerGate::checkPath(Session& session, const Datagram& datagram, Moment now) {
   const SocketAddress& sender = datagram.peer;
-  if (sender == session.address) return session.path.reset();
-  if (!session.path) session.path = Path{{}, {}, randomChallenge(), now, now};
+  const bool strays = sender != session.address;
+  if (!strays) session.path.reset();
+  if (strays && !session.path) session.path = Path{{}, {}, now};
   if (datagram.bytes.size() < kPathChallengeBytes) return;  // the challenge must not be longer
-  Path& path = *session.path;
-  const bool isOldDue =
-      now - path.receivedAtOld >= kUnconfirmedPathTime / 2 && now - path.askedOldAt >= kChallengeInterval;
-  const bool mayMove = !(banCheck_ && banCheck_(sender.ip)) && hasRoomFor(sender.ip, &session);
+  const Moment askTime = strays ? Moment(kUnconfirmedPathTime / 2) : Moment(kAskTime);
+  const bool isOldDue = now >= servedUntil(session) - askTime && now - session.askedAt >= kChallengeInterval;
+  const bool mayMove = strays && !(banCheck_ && banCheck_(sender.ip)) && hasRoomFor(sender.ip, &session);
   const bool isNewDue = mayMove && (!session.challengedAt || now - *session.challengedAt >= kChallengeInterval);
-  if (isOldDue && (!isNewDue || path.askedOldAt <= session.challengedAt)) {
-    path.askedOldAt = now;
-    challenge(session, session.address, path.oldChallenge, now);
+  if (isOldDue && (!isNewDue || session.askedAt <= session.challengedAt)) {
+    session.askedAt = now;
+    if (!session.ownChallenge) session.ownChallenge = randomChallenge();
+    challenge(session, session.address, *session.ownChallenge, now);
   } else if (isNewDue) {
+    Path& path = *session.path;
     if (path.address != sender) path.challenge = randomChallenge();
     path.address = sender;
     session.challengedAt = now;
     challenge(session, sender, path.challenge, now);
   }
+}
+
+// Until when content is sent to the address of the session.
+Moment ServerGate::servedUntil(const Session& session) {
+  const Moment shown = session.receivedAt + kShownAddressTime;
+  if (!session.path) return shown;
+  return std::min(shown, std::max(session.receivedAt, session.path->since) + kUnconfirmedPathTime);
 }
 
 void ServerGate::challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge,
@@ -134,15 +144,15 @@ void ServerGate::challenge(Session& session, const SocketAddress& receiver, cons
   sendPlain(receiver, session.channel->seal(content, true), now);
 }
 
-// The answer to oldChallenge may come from anywhere: whoever sends it has received at the old address. A client that
+// The answer to ownChallenge may come from anywhere: whoever sends it has received at the old address. A client that
 // may not move is asked again when the next challenge is due, and is in doubt at its old address as before.
 void ServerGate::takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now) {
-  if (!session.path || content[0] != kPathResponse) return;
-  if (isAnswer(content, session.path->oldChallenge)) {
-    session.path->oldChallenge = randomChallenge();
-    session.path->receivedAtOld = now;
+  if (content[0] != kPathResponse) return;
+  if (session.ownChallenge && isAnswer(content, *session.ownChallenge)) {
+    session.ownChallenge.reset();
+    session.receivedAt = now;
   }
-  if (session.path->address != sender || !isAnswer(content, session.path->challenge)) return;
+  if (!session.path || session.path->address != sender || !isAnswer(content, session.path->challenge)) return;
   session.path->challenge = randomChallenge();
   if (banCheck_ && banCheck_(sender.ip)) {  // since the challenge
     ++counters_.banned;
@@ -154,12 +164,14 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
   }
   session.path.reset();
   session.address = sender;
+  session.receivedAt = now;
+  session.ownChallenge.reset();
 }
 
 void ServerGate::send(SessionId id, ByteSpan content, Moment now) {
   if (find(id) == nullptr || content.size() + SealedChannel::kOverhead > kMaxDatagramBytes) return;
   Session& session = sessions_[id.slot];
-  if (session.path && now - session.path->receivedAtOld >= kUnconfirmedPathTime) return;
+  if (now >= servedUntil(session)) return;
   sendPlain(session.address, session.channel->seal(content), now);
 }
 

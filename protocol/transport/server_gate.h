@@ -62,6 +62,10 @@ class ServerGate {
   /// While a client sends from another address than the one that it has shown to receive at, content is sent to the
   /// latter for so long after the last sign that it still receives there.
   static constexpr std::chrono::milliseconds kUnconfirmedPathTime{1000};
+  /// Content is sent to an address for so long after the client has shown to receive there. In the last
+  /// kAskTime of it, the client is asked to show it again: its datagrams alone do not, since a sender can be forged.
+  static constexpr std::chrono::seconds kShownAddressTime{15};
+  static constexpr std::chrono::seconds kAskTime{5};
 
   ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const GateSettings& settings,
              Moment now);
@@ -79,7 +83,7 @@ class ServerGate {
   /// round has taken all that it may.
   std::optional<Received> receive(Moment now);
   /// Seals and queues; no effect if the session has ended, the content is too long, or nobody knows where the client
-  /// receives: see kUnconfirmedPathTime.
+  /// receives: see kUnconfirmedPathTime and kShownAddressTime.
   void send(SessionId session, ByteSpan content, Moment now);
   void flush(Moment now) { socket_->flush(now); }
 
@@ -118,13 +122,14 @@ class ServerGate {
   struct Path {
     SocketAddress address;
     PathChallenge challenge{};
-    PathChallenge oldChallenge{};  // for the address of the session
-    Moment askedOldAt{};
-    Moment receivedAtOld{};  // when the client still received there: when the path began, or it answered oldChallenge
+    Moment since{};
   };
   struct Session {
     SessionId id;  // number 0: free
     SocketAddress address;
+    Moment receivedAt{};                        // when the client has last shown that it receives there
+    std::optional<PathChallenge> ownChallenge;  // that it was sent there and has not answered
+    Moment askedAt{};                           // when it was last sent that
     std::optional<SealedChannel> channel;
     CryptoKey clientKey{};
     Bytes accept;                        // repeated when the client repeats its Open; empty once the client has it
@@ -138,6 +143,7 @@ class ServerGate {
   std::optional<Received> takeSealed(const Datagram& datagram, Moment now);
   void takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now);
   void checkPath(Session& session, const Datagram& datagram, Moment now);
+  static Moment servedUntil(const Session& session);
   void challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge, Moment now);
   void takeHandshake(const Datagram& datagram, Moment now);
   void answerKnock(const Datagram& datagram, Moment now);

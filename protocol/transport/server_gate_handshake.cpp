@@ -158,6 +158,7 @@ bool ServerGate::startSession(Session& session, const SocketAddress& client, con
   session.id = {nextNumber_, slot};
   nextNumber_ = std::max(nextNumber_ + 1, 1u);
   session.address = client;
+  session.receivedAt = now;
   session.channel.emplace(SealedChannel::Side::kServer, exchange.split(), slot);
   session.clientKey = open.clientKey();
   session.accept = encode(accept);

@@ -82,7 +82,8 @@ void HandshakeWorld::sendFromServer(std::size_t number, std::size_t bytes) {
   const platon::Bytes content = nextContent(bytes);
   const std::size_t before = sent().size();
   gate_->send(session.id, content, now_);
-  const bool mayHoldBack = session.strayedAt && now_ - *session.strayedAt >= ServerGate::kUnconfirmedPathTime;
+  const bool mayHoldBack = (session.strayedAt && now_ - *session.strayedAt >= ServerGate::kUnconfirmedPathTime) ||
+                           now_ - session.shownAt >= ServerGate::kShownAddressTime;
   const bool hasSent = sent().size() == before + 1;
   require(gate_->isOpen(session.id) ? hasSent || mayHoldBack : !hasSent,
           "the server sends to a session that has ended, or nothing to a client that has not moved");
@@ -198,7 +199,8 @@ void HandshakeWorld::noteAccept(const SocketAddress& from, ByteSpan datagram, co
   usedKeys_.insert(open.clientKey());
   const auto number = static_cast<std::uint32_t>(sessions_.size() + 1);
   for (std::uint16_t slot = 0; slot < setup_.sessions; ++slot) {
-    if (gate_->isOpen({number, slot})) sessions_.push_back({{number, slot}, open.clientKey(), from, false, false});
+    if (gate_->isOpen({number, slot}))
+      sessions_.push_back({{number, slot}, open.clientKey(), from, false, false, now_});
   }
   require(sessions_.size() == number, "an accepted session is not open");
 }
@@ -222,6 +224,7 @@ void HandshakeWorld::checkSessions(const SocketAddress& from, std::size_t before
     require(gate_->addressOf(session.id) == from.ip && wasAsked,
             "a session has moved to an address that was not asked");
     session.address = from;
+    session.shownAt = now_;
   }
 }
 

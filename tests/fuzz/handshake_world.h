@@ -88,6 +88,7 @@ class HandshakeWorld {
     SocketAddress address;
     bool confirmed = false;
     bool closed = false;
+    Moment shownAt{};                   // when it began, or moved
     std::optional<Moment> strayedAt{};  // when a content first came from another address
   };
   struct Content {

@@ -313,6 +313,45 @@ TEST_F(ServerGatePathsTest, ADatagramFromABannedAddressPutsTheOldAddressInDoubtT
   EXPECT_EQ(receiver(), clientAt(1));
 }
 
+// Its datagrams alone do not show where it is: it may have left its address, and forge it as their sender to have the
+// server send there without end.
+TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressWhoseClientAnswersNoneForFifteenSeconds) {
+  const Moment joined = now_;
+  for (; now_ < joined + 20s; now_ += 100ms) {
+    deliver(clientAt(1), sealed(kContent));
+    const std::size_t all = network_.sent().size();
+    gate_->send(session_, kContent, now_);
+    const bool served = now_ + 600ms < joined + ServerGate::kShownAddressTime;  // it joined 600 ms before
+    EXPECT_EQ(network_.sent().size(), all + (served ? 1 : 0)) << (now_ - joined) / 1ms << " ms";
+  }
+  network_.forgetSent();
+  deliver(clientAt(1), sealed(kContent));
+  answer(clientAt(1), answerTo(clientAt(1)));
+  EXPECT_EQ(receiver(), clientAt(1));
+}
+
+TEST_F(ServerGatePathsTest, AClientThatStaysIsAskedEveryTenSeconds) {
+  network_.forgetSent();
+  for (const Moment end = now_ + 60s; now_ < end; now_ += 50ms) {
+    const std::size_t before = challengesTo(clientAt(1));
+    deliver(clientAt(1), sealed(kContent));
+    if (challengesTo(clientAt(1)) > before) answer(clientAt(1), answerTo(clientAt(1)));
+  }
+  EXPECT_EQ(challengesTo(clientAt(1)), 6u);
+}
+
+// A path that begins anew does not excuse it.
+TEST_F(ServerGatePathsTest, WhoGoesBackAndForthWithoutAnAnswerIsAskedToo) {
+  const Moment joined = now_;
+  for (; now_ < joined + 15s; now_ += 100ms) {
+    deliver(kMoved, sealed(kContent));
+    deliver(clientAt(1), sealed(kContent));
+  }
+  const std::size_t before = network_.sent().size();
+  gate_->send(session_, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before);
+}
+
 // Each datagram has one answer at most, and none keeps the other waiting for long.
 TEST_F(ServerGatePathsTest, BothAddressesAreAskedInTurn) {
   deliver(kMoved, sealed(kContent));
