@@ -205,11 +205,13 @@ bool Game::restore(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-// True when `state` is valid for this level and fits players_.
+// True when `state` is valid for this level and fits players_. A turn that waits would remain when its player is put to
+// the start, and turn its gravity there; no game asks for one.
 bool Game::accepts(const WorldState& state) const {
   if (over_ > 1 || ((keys_ | plates_) & ~level_->doorNumbers) != 0 || !world_.accepts(state)) return false;
   for (std::size_t slot = 0; slot < players_.size(); ++slot) {
-    if (!accepts(players_[slot]) || players_[slot].present != state.entities[slot].inserted) return false;
+    const EntityState& entity = state.entities[slot];
+    if (!accepts(players_[slot]) || players_[slot].present != entity.inserted || entity.turn != 0) return false;
   }
   return true;
 }
@@ -218,6 +220,7 @@ bool Game::accepts(const PlayerState& player) const {
   const auto inRange = [](Point point, std::int32_t limit) {
     return std::abs(std::int64_t{point.x}) <= limit && std::abs(std::int64_t{point.y}) <= limit;
   };
+  if (player.present == 0) return player == PlayerState();  // an attempt of nobody would keep the doors open
   if (player.present > 1 || player.arrived > 1 || player.jumping > 1) return false;
   if (player.startedAt > tick_ || player.finishTicks > tick_) return false;
   if (!inRange(player.velocity, kMaxPlayerSpeed) || !inRange(player.ground, PlayerState::kUnit)) return false;

@@ -15,15 +15,24 @@ std::optional<std::uint32_t> runnerOf(const Game& before, const Game& after) {
   return std::nullopt;
 }
 
+// Place of the instance with this id among those of an entity, the home instance first.
+std::uint16_t placeOf(std::uint16_t id, const EntityState& entity, std::span<const InstanceState> further) {
+  if (id == InstanceState::kNoParent) return id;
+  if (id == entity.id) return 0;
+  const auto found = std::find_if(further.begin(), further.end(), [id](const auto& each) { return each.id == id; });
+  return static_cast<std::uint16_t>(found - further.begin() + 1);
+}
+
 }  // namespace
 
-// Without the names and counts that an entity keeps when it returns to the start.
+// Without the names and counts that an entity keeps when it returns to the start: instances are named by their places.
 LevelRest::Stay LevelRest::stayOf(const Game& game, std::uint32_t slot) {
   const auto instances = game.world().instancesOf(slot);
   Stay stay{game.world().entities()[slot], {instances.begin(), instances.end()}, game.player(slot)};
+  for (InstanceState& instance : stay.instances) instance.parent = placeOf(instance.parent, stay.entity, instances);
+  for (InstanceState& instance : stay.instances) instance.id = 0;
   stay.entity.id = stay.entity.nextId = 0;
   stay.entity.crossings = 0;
-  for (InstanceState& instance : stay.instances) instance.id = instance.parent = 0;
   stay.player.held = 0;
   stay.player.finishTicks = 0;
   return stay;

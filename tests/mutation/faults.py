@@ -342,7 +342,7 @@ FAULTS = [
               "an invalid state is accepted",
               "GameRestoreTest.EveryRestoredByteChangesTheHash"),
     at_length("absent-player-in-a-part", "shared/game/game.cpp",
-              " || players_[slot].present != state.entities[slot].inserted", "",
+              " || players_[slot].present != entity.inserted", "",
               "a state is accepted in which an absent player is in the world",
               "GameRestoreTest.EveryRestoredByteChangesTheHash"),
     at_length("goal-on-its-face-alone", "shared/game/level.cpp",

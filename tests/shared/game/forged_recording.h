@@ -65,8 +65,8 @@ class ForgedState {
       EntityState::visit(entity, read);
       further += entity.instances;
     }
-    instances_.resize(further);
-    for (InstanceState& instance : instances_) InstanceState::visit(instance, read);
+    instances.resize(further);
+    for (InstanceState& instance : instances) InstanceState::visit(instance, read);
     for (std::uint32_t* const field : {&tick, &keys, &plates}) reader.read(*field);
     reader.read(over_);
     for (PlayerState& player : players) PlayerState::visit(player, read);
@@ -78,7 +78,7 @@ class ForgedState {
     const auto write = [&](const char*, const auto& field) { writer.add(field); };
     writer.add(static_cast<std::uint16_t>(players.size()));
     for (const EntityState& entity : entities) EntityState::visit(entity, write);
-    for (const InstanceState& instance : instances_) InstanceState::visit(instance, write);
+    for (const InstanceState& instance : instances) InstanceState::visit(instance, write);
     for (const std::uint32_t field : {tick, keys, plates}) writer.add(field);
     writer.add(over_);
     for (const PlayerState& player : players) PlayerState::visit(player, write);
@@ -88,6 +88,7 @@ class ForgedState {
   }
 
   std::vector<EntityState> entities;
+  std::vector<InstanceState> instances;  ///< further ones, by entity
   std::vector<PlayerState> players;
   std::uint32_t tick = 0;
   std::uint32_t keys = 0;
@@ -96,7 +97,6 @@ class ForgedState {
  private:
   Game game_;
   std::vector<std::uint8_t> bytes_;
-  std::vector<InstanceState> instances_;
   std::uint8_t over_ = 0;
 };
 

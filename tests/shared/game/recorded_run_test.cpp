@@ -3,16 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
+#include "tests/sim/seeded_random.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::recorded_run_test {
 namespace {
 
+constexpr std::uint64_t kSeed = 45;
 constexpr const char* kElsewhere = "is no run: its player does not begin at the start of the level, at rest";
 constexpr const char* kOtherElsewhere =
     "is no run: another player, who can open doors, does not begin at the start of the level, at rest";
@@ -271,6 +277,133 @@ TEST(RecordedRun, AHeldRestartHidesNothing) {
   state.players[0].held = Input::kPresent | Input::kRestart;
   const auto restart = [](int) { return std::vector{with(Input::kRight | Input::kRestart)}; };
   EXPECT_EQ(faultOf(playToGoal(state.game(), restart)), kElsewhere);
+}
+
+// An attempt of nobody would keep the doors open when the one who has opened them restarts. Nobody's entity that waits
+// to be turned would fall towards the goal.
+TEST(RecordedRun, AnAbsentPlayerHasNoAttemptAndNobodyWaitsToBeTurned) {
+  PlayedGame played(doorLevel());
+  played.hold(1, kNone);
+  played.run(100, kNone);
+  played.release(1);
+  played.run(1, kNone);
+  ForgedState attempt(played.game);
+  ASSERT_NO_THROW(attempt.game());
+  attempt.players[1].startedAt = 1;
+  EXPECT_THROW(attempt.game(), std::invalid_argument);
+  for (const std::size_t slot : {0U, 1U}) {
+    ForgedState turn(played.game);
+    turn.entities[slot].turn = 9000;
+    EXPECT_THROW(turn.game(), std::invalid_argument) << slot;
+  }
+}
+
+// The start is at an edge, so the ball is on two faces at once. An instance without a parent would stay for good, and
+// touch keys and plates of its face from afar.
+TEST(RecordedRun, AnInstanceThatComesFromNowhereIsRefused) {
+  const Game honest = atRest(cubeLevel("0 -235 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+  EXPECT_EQ(faultOf(runToGoal(honest)), "none");
+  ForgedState state(honest);
+  ASSERT_EQ(state.instances.size(), 1U);
+  ASSERT_NE(state.instances[0].parent, InstanceState::kNoParent);
+  state.instances[0].parent = InstanceState::kNoParent;
+  EXPECT_EQ(faultOf(runToGoal(state.game())), kElsewhere);
+}
+
+// The start is at an edge, and there is each kind of element that a player or a game remembers.
+std::shared_ptr<const Level> elementLevel() {
+  const std::string face = "-240 -200 240 -200\n0 -200 0 -100 key 2\n0 -180 20 -180 door 2";
+  const std::string first =
+      "-240 -200 240 -200\n60 -200 60 200 door 1\n-60 -200 -60 -150 key 1\n-240 -150 -100 -150 hazard\n"
+      "0 -180 0 -160 checkpoint\n100 -198 120 -198 plate 2";
+  return cubeLevel("0 -235 -180 0", {first, face, face, face}, "0 150 -190");
+}
+
+// Two players who come, go and press anything.
+Game playedAtRandom(sim::SeededRandom& random) {
+  PlayedGame played(elementLevel());
+  for (std::uint64_t i = random.below(12); i > 0; --i) {
+    for (const std::size_t slot : {0U, 1U}) played.hold(slot, static_cast<std::uint8_t>(random.below(64)));
+    if (random.below(6) == 0) played.release(1);
+    played.advance(static_cast<int>(random.below(40)));
+  }
+  return played.game;
+}
+
+// The game with some bytes of its state changed; nothing if that is no state.
+std::optional<Game> changed(const Game& game, sim::SeededRandom& random) {
+  std::vector<std::uint8_t> bytes = game.save();
+  for (std::uint64_t edits = 1 + random.below(3); edits > 0; --edits) {
+    std::uint8_t& byte = bytes[random.below(bytes.size())];
+    byte = static_cast<std::uint8_t>(random.below(2) == 0 ? random.below(256) : byte ^ 1U << random.below(8));
+  }
+  Game forged = game;
+  return forged.restore(bytes) ? std::optional(forged) : std::nullopt;
+}
+
+// Where the player of slot 0 is, how it moves, and what is open.
+auto statusOf(const Game& game) {
+  const EntityState& entity = game.world().entities()[0];
+  const PlayerState& player = game.player(0);
+  return std::tuple(entity.part, entity.position.x, entity.position.y, entity.angle.centidegrees(), player.velocity.x,
+                    player.velocity.y, player.ground.x, player.ground.y, player.checkpoint, player.arrived,
+                    game.takenKeys(), game.pressedPlates());
+}
+
+// All buttons are released first: one that is held already is not pressed again.
+void expectSameFuture(Game one, Game other, sim::SeededRandom& random) {
+  std::vector<Input> inputs{with(kNone)};
+  for (int tick = 0; tick < 60; ++tick) {
+    if (tick % 10 == 1) inputs[0] = with(static_cast<std::uint8_t>(random.below(32)));
+    one.advance(inputs);
+    other.advance(inputs);
+    ASSERT_EQ(statusOf(one), statusOf(other)) << tick;
+  }
+}
+
+// A recording may begin in any state, but not an attempt: who has restarted or joined is as in a new game.
+TEST(RecordedRun, WhoeverRestartsOrJoinsBeginsAsInANewGameWhateverWasInvented) {
+  sim::SeededRandom random(kSeed);
+  Game fresh(elementLevel());
+  fresh.advance(std::vector{with(Input::kRestart)});
+  int tried = 0;
+  for (int round = 0; round < repetitions(500); ++round) {
+    const Game game = playedAtRandom(random);
+    for (int i = 0; i < 10; ++i) {
+      std::optional<Game> restarts = changed(game, random);
+      if (!restarts) continue;
+      ++tried;
+      SCOPED_TRACE(round);
+      Game joins = *restarts;
+      joins.advance({});
+      restarts->advance(std::vector{with(kNone)});
+      for (Game* each : {&joins, &*restarts}) {
+        each->advance(std::vector{with(Input::kRestart)});
+        ASSERT_NO_FATAL_FAILURE(expectSameFuture(*each, fresh, random));
+      }
+    }
+  }
+  EXPECT_GT(tried, repetitions(500));
+}
+
+// Whoever is accepted as lying where one falls goes on as one who has fallen there.
+TEST(RecordedRun, WhoeverIsFoundAtRestGoesOnAsOneWhoHasFallenThereWhateverWasInvented) {
+  sim::SeededRandom random(kSeed);
+  const auto level = elementLevel();
+  const LevelRest rest(level);
+  int tried = 0;
+  for (int round = 0; round < repetitions(200); ++round) {
+    const Game game = atRest(level, 1 + static_cast<int>(random.below(100)));
+    for (int i = 0; i < 100; ++i) {
+      const std::optional<Game> forged = changed(game, random);
+      const auto ticks = forged ? rest.ticksTo(*forged, 0) : std::nullopt;
+      if (!ticks || forged->openDoors() != 0) continue;
+      ++tried;
+      SCOPED_TRACE(round);
+      ASSERT_NO_FATAL_FAILURE(expectSameFuture(*forged, atRest(level, static_cast<int>(*ticks)), random));
+    }
+  }
+  EXPECT_GT(tried, repetitions(500));
 }
 
 // Whatever is invented of the beginning, a run is not shorter for it.
