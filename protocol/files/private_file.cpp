@@ -46,6 +46,20 @@ LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit) {
   return LockResult::kLocked;
 }
 
+OpenedFile lockBeside(const std::string& file, WithoutLocks without) {
+  const std::string path = file + ".lock";
+  OpenedFile opened = openPrivateFile(path);
+  if (!opened.file) {
+    return {Descriptor(), "'" + path + "' cannot be opened: " + opened.fault +
+                              "; remove it, and let the program write to its folder"};
+  }
+  const LockResult result = lockFile(opened.file);
+  if (result == LockResult::kHeld) return {Descriptor(), lockFault(path)};
+  if (result == LockResult::kNoLocks && without == WithoutLocks::kRefuse)
+    return {Descriptor(), "the file system of '" + path + "' has no locks"};
+  return opened;
+}
+
 std::string lockFault(const std::string& path) {
   return "another program holds the lock on '" + path + "'; end that program or remove the file";
 }

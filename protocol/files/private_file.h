@@ -29,6 +29,13 @@ inline constexpr std::chrono::milliseconds kLockTime{2000};
 /// the lock delays this one only so long.
 LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit = kLockTime);
 
+/// What to do where a file system has no locks.
+enum class WithoutLocks : std::uint8_t { kRefuse, kGoOn };
+
+/// Locks `path`.lock, a private file beside a file that is itself replaced when it is written, so that one program at a
+/// time changes it. On failure why, and how to mend it. The lock lasts as long as the file is open.
+OpenedFile lockBeside(const std::string& path, WithoutLocks without);
+
 /// The sentence for a lock on the file at this path that another program holds: what is wrong and how to mend it.
 std::string lockFault(const std::string& path);
 

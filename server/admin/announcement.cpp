@@ -14,19 +14,6 @@
 namespace platon {
 namespace {
 
-constexpr const char* kLockRemedy = "; remove it, and let the server write to its folder";
-
-// Lets one server at a time change a file. The lock is on a file beside it, because the file itself is replaced.
-OpenedFile lockBeside(const std::string& file) {
-  const std::string path = file + ".lock";
-  OpenedFile opened = openPrivateFile(path);
-  if (!opened.file) return {Descriptor(), "'" + path + "' cannot be opened: " + opened.fault + kLockRemedy};
-  const LockResult result = lockFile(opened.file);
-  if (result == LockResult::kHeld) return {Descriptor(), lockFault(path)};
-  if (result == LockResult::kNoLocks) return {Descriptor(), "the file system of '" + path + "' has no locks"};
-  return opened;
-}
-
 // The servers in a file, none if it does not exist; or what is wrong with it.
 std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string& file) {
   std::error_code fault;
@@ -45,7 +32,7 @@ std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string&
 // Puts `own`, a list with the entry at this address or with none, in place of the entry that a file has there. Returns
 // why that failed, or an empty text.
 std::string replaceEntry(const std::string& file, const ServerAddress& address, std::string_view own) {
-  const OpenedFile lock = lockBeside(file);
+  const OpenedFile lock = lockBeside(file, WithoutLocks::kRefuse);
   if (!lock.file) return lock.fault;
   auto read = serversIn(file);
   if (const auto* error = std::get_if<ParseError>(&read)) return error->what;

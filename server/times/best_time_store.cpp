@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "platon/game/game.h"
+#include "protocol/files/private_file.h"
 #include "protocol/files/text_file.h"
 
 namespace platon {
@@ -30,9 +31,12 @@ std::variant<BestTimes, std::vector<std::string>> readBestTimes(const std::strin
   return errors;
 }
 
+// Another program may add times meanwhile. There are file systems without locks, where one of the two is lost then.
 std::string addBestTimes(const std::string& path, std::string_view text) {
+  const OpenedFile lock = lockBeside(path, WithoutLocks::kGoOn);
   auto read = readBestTimes(path);
   if (const auto* errors = std::get_if<std::vector<std::string>>(&read)) return errors->front();
+  if (!lock.file) return path + ": error: " + lock.fault;
   BestTimes& times = std::get<BestTimes>(read);
   times.merge(std::get<BestTimes>(BestTimes::parse(text)));
   return replaceTextFile(path, times.text());

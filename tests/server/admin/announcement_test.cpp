@@ -184,9 +184,10 @@ TEST_F(AnnouncementTest, AFileThatCannotBeReachedIsRefused) {
 
 TEST_F(AnnouncementTest, AFolderThatIsMissingIsNamedByTheSystem) {
   Announcement ann(folder_ / "none/servers.json", first_, parseServerAddress("a.example:1"));
-  EXPECT_EQ(enter(ann, "Ann"), "'" + (folder_ / "none/servers.json.lock").string() +
-                                   "' cannot be opened: No such file or directory; remove it, and let the server write "
-                                   "to its folder");
+  EXPECT_EQ(enter(ann, "Ann"),
+            "'" + (folder_ / "none/servers.json.lock").string() +
+                "' cannot be opened: No such file or directory; remove it, and let the program write "
+                "to its folder");
 }
 
 // Without the lock, servers that start at the same time would lose entries.
@@ -226,7 +227,7 @@ TEST_F(AnnouncementTest, ALockThatSomebodyHasLinkedElsewhereIsRefused) {
   Announcement ann = announcement(first_, "a.example:1");
   EXPECT_EQ(enter(ann, "Ann"), "'" + file_ +
                                    ".lock' cannot be opened: it is a symbolic link, not a regular file; remove it, and "
-                                   "let the server write to its folder");
+                                   "let the program write to its folder");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "victim"));
 }
 

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <thread>
 
 #include "platon/game/game.h"
+#include "protocol/files/private_file.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
@@ -97,6 +99,29 @@ TEST_F(BestTimeStoreTest, TwoServersShareAFile) {
   EXPECT_EQ(times.find({1, kRulesVersion})->time, (BestTime{10, "a"}));
   EXPECT_EQ(times.find({2, kRulesVersion})->time, (BestTime{9, "b"}));
   EXPECT_EQ(times.find({3, kRulesVersion})->time, (BestTime{8, "a"}));
+}
+
+// Each reads the file, adds its time and replaces it.
+TEST_F(BestTimeStoreTest, ServersThatWriteAtOnceLoseNoTime) {
+  constexpr std::uint64_t kLevels = 40;
+  const auto serve = [this](std::uint64_t first) {
+    for (std::uint64_t level = first; level < kLevels; level += 2) {
+      BestTimes own;
+      own.offer({level, kRulesVersion}, {{10, "Ann"}, kDate});
+      EXPECT_EQ(addBestTimes(path_, own.text()), "");
+    }
+  };
+  {
+    const std::jthread even(serve, 0);
+    const std::jthread odd(serve, 1);
+  }
+  EXPECT_EQ(timesIn(path_).size(), kLevels);
+}
+
+TEST_F(BestTimeStoreTest, ALockThatAnotherProgramKeepsIsNamed) {
+  const OpenedFile lock = lockBeside(path_, WithoutLocks::kRefuse);
+  ASSERT_TRUE(lock.file);
+  EXPECT_EQ(addBestTimes(path_, ""), path_ + ": error: " + lockFault(path_ + ".lock"));
 }
 
 // What was removed from the file by hand does not come back with the next time.
