@@ -13,7 +13,8 @@ template <class Iterator>
 std::vector<DatedFile> filesIn(const fs::path& folder, const std::function<bool(const fs::path&)>& belongs) {
   std::vector<DatedFile> files;
   std::error_code fault;
-  for (Iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
+  for (Iterator entry(folder, fs::directory_options::skip_permission_denied, fault), end; !fault && entry != end;
+       entry.increment(fault)) {
     std::error_code unreadable;
     if (!belongs(entry->path()) || !entry->is_regular_file(unreadable)) continue;
     DatedFile file{entry->path(), entry->file_size(unreadable), {}};

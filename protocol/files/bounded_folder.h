@@ -17,7 +17,8 @@ struct DatedFile {
 
 enum class Subfolders : std::uint8_t { kWithout, kWith };
 
-/// The files in a folder that `belongs` accepts by their path, newest first. What cannot be read is left out.
+/// The files in a folder that `belongs` accepts by their path, newest first. What cannot be read is left out, also a
+/// subfolder.
 std::vector<DatedFile> newestFiles(const std::filesystem::path& folder, Subfolders subfolders,
                                    const std::function<bool(const std::filesystem::path&)>& belongs);
 

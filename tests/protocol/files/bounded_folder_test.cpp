@@ -1,10 +1,13 @@
 #include "protocol/files/bounded_folder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -44,6 +47,28 @@ TEST_F(BoundedFolderTest, TheNewestIsTheFirst) {
   write("in/d.txt", 0);
   EXPECT_EQ(names(Subfolders::kWithout), (Names{"b.txt", "a.txt", "c.txt"}));
   EXPECT_EQ(names(Subfolders::kWith), (Names{"in/d.txt", "b.txt", "a.txt", "c.txt"}));
+}
+
+// Root may read everything, so it acts as another user.
+TEST_F(BoundedFolderTest, ASubfolderThatCannotBeReadHidesNothingElse) {
+  constexpr uid_t kNobody = 65534;
+  write("a.txt", 1);
+  for (const char* const sub : {"b", "c", "d"}) write(std::string(sub) + "/" + sub + ".txt", 2);
+  const bool isRoot = geteuid() == 0;
+  if (isRoot) ASSERT_EQ(chown(folder_.path().c_str(), kNobody, kNobody), 0);
+  for (const char* const locked : {"b", "c", "d"}) {
+    Names expected{"a.txt"};
+    for (const std::string sub : {"b", "c", "d"}) {
+      if (sub != locked) expected.push_back(sub + "/" + sub + ".txt");
+    }
+    fs::permissions(folder_ / locked, fs::perms::none);
+    if (isRoot) ASSERT_EQ(seteuid(kNobody), 0);
+    Names found = names(Subfolders::kWith);
+    if (isRoot) ASSERT_EQ(seteuid(0), 0);
+    fs::permissions(folder_ / locked, fs::perms::all);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected) << locked;
+  }
 }
 
 TEST_F(BoundedFolderTest, TheOldestGoWhereThereAreTooManyFilesOrBytes) {
