@@ -34,6 +34,12 @@ bool takeRights(const Descriptor& file, const std::string& old, mode_t rights) {
 constexpr mode_t kOwnRights = 0600;
 constexpr mode_t kPublicRights = 0644;
 
+// The beginning of the name for a new file beside `target`; a name has at most 255 bytes.
+std::string temporaryBeside(const std::string& target) {
+  constexpr std::size_t kMaxBytes = 240;
+  return target.substr(0, target.rfind('/') + 1 + kMaxBytes) + ".XXXXXX";
+}
+
 enum class Wait { kForDisk, kNot };
 
 std::string replaceFile(const std::string& path, std::string_view content, Wait wait, mode_t rights = kOwnRights) {
@@ -41,7 +47,7 @@ std::string replaceFile(const std::string& path, std::string_view content, Wait 
   const std::filesystem::path linked = std::filesystem::canonical(path, missing);
   const std::string target = missing ? path : linked.string();
   if (std::string fault = faultOfKind(target); !fault.empty()) return fault;
-  std::string temporary = target + ".XXXXXX";
+  std::string temporary = temporaryBeside(target);
   const Descriptor file(mkstemp(temporary.data()));
   if (!file) return std::strerror(errno);
   const bool waits = wait == Wait::kForDisk;

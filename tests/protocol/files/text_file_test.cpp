@@ -68,6 +68,14 @@ TEST_F(TextFileTest, ReplacesTheContent) {
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
+TEST_F(TextFileTest, TheLongestNameOfAFileIsReplacedToo) {
+  const std::string longest = folder_ / std::string(255, 'n');
+  EXPECT_EQ(replaceTextFile(longest, "new"), "");
+  EXPECT_EQ(replaceTextFile(longest, "newer"), "");
+  EXPECT_EQ(readText(longest), "newer");
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
 TEST_F(TextFileTest, KeepsTheAccessRights) {
   writeText(path_, "old");
   for (const mode_t mode : {0640u, 0600u, 0664u}) {
