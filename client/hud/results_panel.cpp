@@ -62,7 +62,7 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
 std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::string& medal) {
   std::string reached = "Goal in " + finishText(scene.attempt->seconds);
   if (run.speed < 1) return reached + " " + slowedText(run.speed);
-  if (run.tooLong) reached += ", too long to be recorded";
+  if (!run.notRecorded.empty()) reached += ", " + run.notRecorded;
   if (run.isNewBest) reached += run.difference ? " – new best" : " – your first finish";
   if (run.difference) reached += " (" + differenceText(*run.difference) + " s)";
   return medal.empty() ? reached : reached + " · " + medal;

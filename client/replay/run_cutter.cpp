@@ -98,8 +98,9 @@ std::optional<Run> RunCutter::cutAlone(const Game& game) const {
   return Run{game.sharedLevel(), ticks, recorder.takeBytes()};
 }
 
-// Whether the recording of the group's game will be read again, which counts by blocks.
+// Counts by blocks, as whoever reads the recording does.
 bool RunCutter::isGroupAffordable() const {
+  if (!start_) return true;
   PlayCost cost(*start_);
   bool affordable = true;
   for (std::size_t first = 0; first < groupInputs_.size(); first += kCheckpointTicks) {

@@ -29,6 +29,8 @@ class RunCutter {
   /// The run that has ended with the tick of the last call of `advance`, after which `game` is. Nothing if it began
   /// before the game was known, or if it costs too much to be played again (PlayCost). Plays the run once.
   std::optional<Run> cut(const Game& game) const;
+  /// Whether a recording of the group's game would not cost too much; true if no group is followed.
+  bool isGroupAffordable() const;
 
  private:
   static constexpr std::size_t kMaxGroupTicks = 2 * kRoundTicks;  // as kMaxTicks, of several players
@@ -48,7 +50,6 @@ class RunCutter {
   bool allRest(const Game& game) const;
   std::optional<Run> cutAlone(const Game& game) const;
   std::optional<Run> cutGroup(const Game& game) const;
-  bool isGroupAffordable() const;
 
   std::uint32_t slot_ = 0;
   std::optional<Own> own_;                       // after the last tick; nothing: the player is absent

@@ -89,7 +89,8 @@ void RunKeeper::beginAttempt() {
   visits_ = FaceVisits();
   compared_ = best_;
   difference_.reset();
-  isNewBest_ = tooLong_ = false;
+  isNewBest_ = false;
+  notRecorded_.clear();
   counts_ = willCount_;
 }
 
@@ -126,15 +127,20 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
     differenceUntil_ = UINT32_MAX;
   }
   if (!counts_ || (bestTicks_ && *bestTicks_ <= ticks)) return;
-  tooLong_ = ticks > RunCutter::kMaxTicks;
   std::optional<Run> run = cutter_.cut(game);
-  if (!run) return;
+  if (!run) return void(notRecorded_ = whyNotRecorded(ticks));
   isNewBest_ = true;
   bestTicks_ = ticks;
   tracking_ = Job<std::optional<RunTrack>>(
       [recording = run->recording](const std::stop_token& stop) { return trackIn(recording, stop); }, start_);
   unsavedFile_ = saver_.store().fileOf(*run);
   saver_.keep(std::move(*run));
+}
+
+// Of an attempt that would be the best run, but was not cut.
+std::string RunKeeper::whyNotRecorded(std::uint32_t ticks) const {
+  if (ticks > RunCutter::kMaxTicks) return "too long to be recorded";
+  return cutter_.isGroupAffordable() ? "" : "too many players to be recorded";
 }
 
 std::vector<std::string> RunKeeper::takeFaults() {
@@ -153,7 +159,7 @@ RunStatus RunKeeper::status() const {
   if (bestTicks_) status.best = secondsOf(*bestTicks_);
   if (difference_ && tick_ < differenceUntil_) status.difference = secondsOf(static_cast<double>(*difference_));
   status.isNewBest = isNewBest_;
-  status.tooLong = tooLong_;
+  status.notRecorded = notRecorded_;
   return status;
 }
 

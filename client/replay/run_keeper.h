@@ -69,6 +69,7 @@ class RunKeeper : public ConfirmedObserver {
   void pollFile();
   void observe(const Game& game, const PlayerState& player);
   void arrive(const Game& game, std::uint32_t ticks);
+  std::string whyNotRecorded(std::uint32_t ticks) const;
   void show(std::uint32_t tick, std::int64_t difference);
 
   ThreadStart start_;
@@ -97,7 +98,7 @@ class RunKeeper : public ConfirmedObserver {
   std::optional<std::int64_t> difference_;  // ticks, to compared_
   std::uint32_t differenceUntil_ = 0;       // tick
   bool isNewBest_ = false;
-  bool tooLong_ = false;  // it would be the best run, if it could be recorded
+  std::string notRecorded_;  // as RunStatus
   bool counts_ = true;
 
   bool willCount_ = true;  // the next attempt

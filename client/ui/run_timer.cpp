@@ -20,7 +20,7 @@ std::string bestTextOf(const Scene& scene, const RunStatus& run) {
   const auto& [seconds, arrived] = *scene.attempt;
   if (arrived && run.speed < 1) return slowedText(run.speed);
   if (arrived && run.isNewBest) return "new personal best";
-  if (arrived && run.tooLong) return "too long to be recorded";
+  if (arrived && !run.notRecorded.empty()) return run.notRecorded;
   if (run.best) return "personal best " + finishText(*run.best);
   const std::optional<double> best = scene.players.back().finishSeconds;
   return best && !(arrived && *best == seconds) ? "best " + finishText(*best) : "";

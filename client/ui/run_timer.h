@@ -14,8 +14,8 @@ struct RunStatus {
   std::optional<double> best{};        ///< seconds of the best run; nothing: there is none
   std::optional<double> difference{};  ///< seconds to the best run so far, negative: faster; nothing: not to be shown
   bool isNewBest = false;              ///< this attempt has reached the goal as the best run
-  bool tooLong = false;                ///< it would be the best run, but is longer than any that is recorded
-  double speed = 1;                    ///< the least of the attempt; less than 1: its time is not kept
+  std::string notRecorded{};  ///< why it is not, though it would be the best run; empty: it would not, or it is
+  double speed = 1;           ///< the least of the attempt; less than 1: its time is not kept
 };
 
 /// A difference of times with its sign: `+0.32`, `−1.05`, `±0.00`.

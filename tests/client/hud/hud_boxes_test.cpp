@@ -228,7 +228,8 @@ TEST(HudBoxes, NothingOverlapsWhatPlayersReachAndNeed) {
     HudStatus status;
     status.keys = KeyHints(longKeys(), false);
     status.medal = "☆☆☆ no medal, bronze: 1234.5 s";
-    status.run = {.best = 3599.99, .difference = 3599.99, .isNewBest = false, .tooLong = true};
+    status.run = {
+        .best = 3599.99, .difference = 3599.99, .isNewBest = false, .notRecorded = "too many players to be recorded"};
     status.summary = RoundSummary{.nextTitle = std::string(100, 'W'), .waits = true};
     expectOrder(scene, status, picture);
     status.run = {.best = 3599.99, .difference = -3599.99, .isNewBest = true};

@@ -138,7 +138,8 @@ TEST(ResultsPanel, AlsoTheResultsOfARoundWithATimeLimitTellIt) {
 TEST(ResultsPanel, TellsThatARunIsTooLongToBeRecorded) {
   Scene scene = sceneOf(1);
   scene.attempt = {2000, true};
-  EXPECT_EQ(ownResultOf(scene, {.tooLong = true}, ""), "Goal in 2000.00 s, too long to be recorded");
+  EXPECT_EQ(ownResultOf(scene, {.notRecorded = "too long to be recorded"}, ""),
+            "Goal in 2000.00 s, too long to be recorded");
 }
 
 }  // namespace

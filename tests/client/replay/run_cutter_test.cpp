@@ -8,6 +8,7 @@
 
 #include "client/replay/run_track.h"
 #include "platon/game/recording_reader.h"
+#include "tests/client/replay/crowded_door_level.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/replay_of.h"
 #include "tests/shared/game/forged_recording.h"
@@ -163,16 +164,8 @@ TEST(RunCutter, ARunWithTheHelpOfOthersHasAllPlayers) {
   EXPECT_LE(replay->ticks(), *followed.time + 60);
 }
 
-// Where 400 segments are in reach somewhere, about 1800 ticks of 256 slots can be played again.
 TEST(RunCutter, AGroupRunThatNobodyCouldReadIsNotCut) {
-  std::string crowd;
-  for (int i = 0; i < 400; ++i) {
-    const std::string end = std::to_string(i % 20) + " " + std::to_string(i / 20);
-    crowd.append(end).append(" ").append(end).append(".5\n");
-  }
-  const auto level = cubeLevel(
-      "0 0 -180 0", {"-240 -200 240 -200\n60 -200 60 200 door 1\n-60 -200 -60 -150 key 1", "", "", "", "", crowd},
-      "0 150 -190");
+  const auto level = crowdedDoorLevel();
   const auto at = [](std::uint8_t buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; };
   for (const auto& [wait, affordable] : {std::pair(1000, true), std::pair(2500, false)}) {
     FollowedGame followed(level, 1);
@@ -185,6 +178,7 @@ TEST(RunCutter, AGroupRunThatNobodyCouldReadIsNotCut) {
     for (int i = 0; i < 200 && !followed.time; ++i) followed.advance(inputs);
     ASSERT_TRUE(followed.time) << wait;
     ASSERT_EQ(followed.run.has_value(), affordable) << wait;
+    EXPECT_EQ(followed.cutter.isGroupAffordable(), affordable) << wait;
     if (affordable) expectSameRun(followed);
   }
 }

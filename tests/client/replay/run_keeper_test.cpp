@@ -12,6 +12,7 @@
 #include "client/ui/player_rows.h"
 #include "tests/client/job/held_threads.h"
 #include "tests/client/job/no_thread.h"
+#include "tests/client/replay/crowded_door_level.h"
 #include "tests/client/replay/replay_of.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
@@ -70,6 +71,31 @@ TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
   RunKeeper next(RunStore(folder_ / "runs"), {}, {}, noThread);
   next.began(Game(edgeLevel()), 0);
   EXPECT_EQ(next.status().best, seconds(ticks));
+}
+
+// With the help of others, in a game that nobody could read again.
+TEST_F(RunKeeperTest, ARunThatCostsTooMuchToBeRecordedSaysSo) {
+  Game game(crowdedDoorLevel());
+  keeper_.began(game, 1);
+  std::vector<Input> inputs(kMaxPlayers);
+  const auto hold = [&](int ticks, std::uint8_t helper, std::uint8_t own) {
+    inputs[0].buttons = static_cast<std::uint8_t>(helper | Input::kPresent);
+    inputs[1].buttons = static_cast<std::uint8_t>(own | Input::kPresent);
+    for (int i = 0; i < ticks && (game.slots() == 0 || game.player(1).arrived == 0); ++i) {
+      game.advance(inputs);
+      keeper_.advanced(inputs, game);
+    }
+  };
+  hold(100, 0, 0);
+  hold(2500, Input::kLeft, 0);
+  hold(300, 0, Input::kRight);
+  ASSERT_EQ(game.player(1).arrived, 1);
+  EXPECT_EQ(keeper_.status().notRecorded, "too many players to be recorded");
+  EXPECT_FALSE(keeper_.status().isNewBest);
+  inputs[1].buttons = Input::kPresent | Input::kRestart;
+  game.advance(inputs);
+  keeper_.advanced(inputs, game);
+  EXPECT_EQ(keeper_.status().notRecorded, "");
 }
 
 TEST_F(RunKeeperTest, ASlowerRunIsNotKept) {

@@ -77,7 +77,8 @@ TEST(RunTimer, WithoutATimeLimitTheOwnTimeIsTheClock) {
 TEST(RunTimer, TellsAtTheGoalWhyTheRunIsNotKept) {
   EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5, .speed = 0.5}),
             (Texts{"✓ Goal in 3.00 s", "at 50 % speed, not kept"}));
-  EXPECT_EQ(textsOf(sceneOf(3, true), {.tooLong = true}), (Texts{"✓ Goal in 3.00 s", "too long to be recorded"}));
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.notRecorded = "too long to be recorded"}),
+            (Texts{"✓ Goal in 3.00 s", "too long to be recorded"}));
 }
 
 TEST(RunTimer, WithoutALocalPlayerThereIsNone) { EXPECT_EQ(textsOf(Scene(), {.best = 1}), Texts{}); }
