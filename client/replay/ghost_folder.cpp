@@ -10,6 +10,7 @@
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
+#include "platon/game/game.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
 
@@ -32,6 +33,11 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
 
 }  // namespace
 
+std::string playedInVain(const fs::path& folder) {
+  return folder.string() + ": has more than " + std::to_string(kMaxPlayedInVain) +
+         " recordings on this level that are not the runs that they seem to be; remove them, so that others are read";
+}
+
 std::string ghostNameOf(const fs::path& file) {
   const std::string name = file.stem().string();
   return isLabel(name, kMaxNameBytes) ? visibleLabel(name) : std::string();
@@ -46,12 +52,15 @@ std::vector<Ghost> ghostsIn(const fs::path& folder, const Level& level, std::siz
                             std::vector<std::string>& faults, const std::stop_token& stop) {
   std::vector<Ghost> ghosts;
   if (folder.empty()) return ghosts;
+  std::size_t inVain = 0;
   for (const fs::path& file : filesOf(folder)) {
     if (ghosts.size() == count || stop.stop_requested()) break;
     const std::optional<RecordingHead> head = readRecordingHeadOf(file, stop);
     if (!head || !head->level || !isSameLevel(*head->level, level)) continue;
+    if (inVain == kMaxPlayedInVain) return faults.push_back(playedInVain(folder)), ghosts;
     auto track = readTrack(file, nullptr, stop);
     if (auto* fault = std::get_if<std::string>(&track)) {
+      if (head->rules == kRulesVersion) ++inVain;  // others are not played
       faults.push_back(std::move(*fault));
     } else {
       ghosts.push_back(makeGhost(file, std::get<RunTrack>(std::move(track))));

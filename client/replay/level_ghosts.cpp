@@ -24,6 +24,8 @@ void addRival(const OtherRunsSource& source, const Level& level, LevelGhosts& gh
   ghosts.others.insert(ghosts.others.begin(), std::move(rival));
 }
 
+std::uint32_t ticksOf(const std::optional<Ghost>& ghost) { return ghost ? ghost->track->ticks : UINT32_MAX; }
+
 }  // namespace
 
 Ghost bestGhostOf(RunTrack track) {
@@ -38,12 +40,17 @@ LevelGhosts readBestGhost(const BestRunSource& source, const Level& level, const
     if (auto track = trackIn(source.unsaved->recording, stop)) ghosts.best = bestGhostOf(std::move(*track));
     return ghosts;
   }
+  std::size_t played = 0;
   for (const StoredRun& run : source.own.runsOn(level)) {
-    if (ghosts.best || stop.stop_requested()) break;
+    if (stop.stop_requested() || ticksOf(ghosts.best) <= run.ticks) break;
+    if (played++ == kMaxPlayedInVain) {
+      ghosts.faults.push_back(playedInVain(run.file.parent_path()));
+      break;
+    }
     auto track = readTrack(run.file, &level, stop);
     if (auto* fault = std::get_if<std::string>(&track)) {
       ghosts.faults.push_back(std::move(*fault));
-    } else {
+    } else if (std::get<RunTrack>(track).ticks < ticksOf(ghosts.best)) {
       ghosts.best = bestGhostOf(std::get<RunTrack>(std::move(track)));
       ghosts.bestFile = run.file;
     }

@@ -37,9 +37,9 @@ struct OtherRunsSource {
 /// The ghost of a best run.
 Ghost bestGhostOf(RunTrack track);
 
-/// Reads the best run on a level and plays it once. A file that is no run leaves its place to the one with the next
-/// least time. Ends early when it is asked to stop; then the result is not to be
-/// used.
+/// Reads the best run on a level and plays it once. A file that is no run, or a slower one than its name tells, leaves
+/// its place to the one with the next least time, as do at most kMaxPlayedInVain files. Ends early when it is asked to
+/// stop; then the result is not to be used.
 LevelGhosts readBestGhost(const BestRunSource& source, const Level& level, const std::stop_token& stop = {});
 /// As readBestGhost, for the runs of others: at most `maxOthers` from the folder. These files may be many and long.
 LevelGhosts readOtherGhosts(const OtherRunsSource& source, const Level& level, std::size_t maxOthers,

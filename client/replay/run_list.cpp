@@ -80,13 +80,16 @@ void RunList::fill() {
   markBest();
 }
 
+// Somebody may have renamed a file.
 void RunList::markBest() {
   std::map<std::uint64_t, std::pair<std::uint32_t, std::size_t>> best;  // by level: ticks and index
   for (std::size_t i = 0; i < runs_.size() && runs_[i].who.empty(); ++i) {
     runs_[i].isBest = false;
     const std::optional<StoredRun> run = own_.ownRunOf(runs_[i].file);
     if (!run || !runs_[i].note.empty() || !runs_[i].ticks) continue;
-    const auto place = std::pair(run->ticks, i);
+    const RecordingFacts* const facts = reader_.find(runs_[i].file);
+    if (facts != nullptr && facts->level && facts->level->hash != run->level) continue;
+    const auto place = std::pair(*runs_[i].ticks, i);
     const auto known = best.try_emplace(run->level, place).first;
     known->second = std::min(known->second, place);
   }

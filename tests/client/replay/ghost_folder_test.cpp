@@ -5,6 +5,8 @@
 #include "client/replay/recording_head.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/older_rules.h"
+#include "tests/shared/game/forged_recording.h"
+#include "tests/shared/game/played_game.h"
 #include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -59,6 +61,23 @@ TEST_F(GhostFolderTest, WhatCannotBeAGhostIsNamed) {
   EXPECT_NE(faults_[0].find("is a damaged recording"), std::string::npos);
   EXPECT_NE(faults_[1].find(otherRulesText(kRulesVersion - 1)), std::string::npos);
   EXPECT_NE(faults_[2].find("is no run"), std::string::npos);
+}
+
+// A recording of other rules costs nothing, one that turns out to be no run may cost as much as any.
+TEST_F(GhostFolderTest, ManyForgedRecordingsAreNotAllPlayed) {
+  const auto forged = forgedRun(followed_.game.sharedLevel(), units(60));
+  for (std::size_t i = 0; i < kMaxPlayedInVain; ++i) {
+    write("a" + std::to_string(i), asOfOlderRules(followed_.run->recording, followed_.game.level()));
+    write("b" + std::to_string(i), forged);
+  }
+  EXPECT_TRUE(ghosts().empty());
+  EXPECT_EQ(faults_.size(), 2 * kMaxPlayedInVain);
+  write("c", followed_.run->recording);
+  EXPECT_TRUE(ghosts().empty());
+  ASSERT_EQ(faults_.size(), 2 * kMaxPlayedInVain + 1);
+  EXPECT_EQ(faults_.back(), playedInVain(folder_.path()));
+  write("a0", followed_.run->recording);
+  EXPECT_EQ(ghosts().size(), 1U);
 }
 
 TEST_F(GhostFolderTest, ANameThatCannotBeShownIsLeftOut) {

@@ -22,6 +22,12 @@ class LevelGhostsTest : public testing::Test {
   const Level& level() const { return followed_.game.level(); }
   const platon::Run& run() const { return *followed_.run; }
   std::string bestName() const { return "best " + finishText(double{1} * run().ticks / kTicksPerSecond); }
+  // An own run with a name of this time.
+  std::filesystem::path write(std::uint32_t ticks, const std::vector<std::uint8_t>& recording) const {
+    const auto file = folder_ / "runs" / RunStore::fileNameOf(level().hash, ticks);
+    writeText(file, {reinterpret_cast<const char*>(recording.data()), recording.size()});
+    return file;
+  }
   std::filesystem::path copyTo(const std::string& name) const {
     std::filesystem::create_directories(folder_ / "ghosts");
     const auto file = folder_ / "ghosts" / name;
@@ -86,11 +92,6 @@ TEST_F(LevelGhostsTest, ADamagedBestRunIsNamedOnceAlsoAsTheRival) {
 
 TEST_F(LevelGhostsTest, AFileThatIsNoRunLeavesItsPlaceToTheNext) {
   best_.own.keep(run());
-  const auto write = [&](std::uint32_t ticks, const std::vector<std::uint8_t>& recording) {
-    const auto file = folder_ / "runs" / RunStore::fileNameOf(level().hash, ticks);
-    writeText(file, {reinterpret_cast<const char*>(recording.data()), recording.size()});
-    return file;
-  };
   const auto forged = write(6, forgedRun(followed_.game.sharedLevel(), units(60)));
   const auto damaged = write(7, {1, 2, 3});
   write(run().ticks + 1, {1, 2, 3});  // slower: not looked at
@@ -102,6 +103,34 @@ TEST_F(LevelGhostsTest, AFileThatIsNoRunLeavesItsPlaceToTheNext) {
   EXPECT_EQ(ghosts.faults[0],
             forged.string() + ": is no run: its player does not begin at the start of the level, at rest");
   EXPECT_EQ(ghosts.faults[1].find(damaged.string()), 0U);
+}
+
+// Names of files are no proof.
+TEST_F(LevelGhostsTest, ARenamedRunHidesNoFasterOne) {
+  best_.own.keep(run());
+  FollowedGame slow(followed_.game.sharedLevel());
+  slow.hold(60, Input::kLeft);
+  slow.holdToGoal(300, Input::kRight);
+  ASSERT_GT(slow.run->ticks, run().ticks);
+  write(6, slow.run->recording);
+  const LevelGhosts ghosts = readGhosts();
+  ASSERT_TRUE(ghosts.best);
+  EXPECT_EQ(ghosts.best->name, bestName());
+  EXPECT_EQ(ghosts.bestFile, best_.own.fileOf(run()));
+}
+
+// Each of them may cost as much as a recording is allowed to.
+TEST_F(LevelGhostsTest, ManyForgedFilesAreNotAllPlayedAtTheStartOfALevel) {
+  best_.own.keep(run());
+  const auto forged = forgedRun(followed_.game.sharedLevel(), units(60));
+  std::uint32_t ticks = 1;
+  for (; ticks < kMaxPlayedInVain; ++ticks) write(ticks, forged);
+  EXPECT_TRUE(readGhosts().best);
+  write(ticks, forged);
+  const LevelGhosts ghosts = readGhosts();
+  EXPECT_FALSE(ghosts.best);
+  ASSERT_EQ(ghosts.faults.size(), kMaxPlayedInVain + 1);
+  EXPECT_EQ(ghosts.faults.back(), playedInVain(folder_ / "runs"));
 }
 
 TEST_F(LevelGhostsTest, AStopReadsNothingMore) {

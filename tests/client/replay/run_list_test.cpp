@@ -82,6 +82,28 @@ TEST_F(RunListTest, AnOwnFileThatShowsNoRunHasNoTimeAndIsNotTheBest) {
   }
 }
 
+TEST_F(RunListTest, ARenamedRunIsTheBestOnlyByItsOwnTimeAndLevel) {
+  store_.keep(*followed_.run);
+  FollowedGame slow(followed_.game.sharedLevel());
+  slow.hold(60, Input::kLeft);
+  slow.holdToGoal(300, Input::kRight);
+  FollowedGame other(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 50 -190"));
+  other.holdToGoal(300, Input::kRight);
+  ASSERT_GT(slow.run->ticks, followed_.run->ticks);
+  ASSERT_LT(other.run->ticks, followed_.run->ticks);
+  const std::uint64_t hash = followed_.game.level().hash;
+  const auto writeAs = [&](std::uint32_t ticks, const platon::Run& run) {
+    writeText(folder_ / "runs" / RunStore::fileNameOf(hash, ticks),
+              {reinterpret_cast<const char*>(run.recording.data()), run.recording.size()});
+  };
+  writeAs(1, *slow.run);
+  writeAs(2, *other.run);
+  load();
+  ASSERT_EQ(list_.runs().size(), 3U);
+  for (const ListedRun& run : list_.runs())
+    EXPECT_EQ(run.isBest, run.file == store_.fileOf(*followed_.run)) << run.file;
+}
+
 TEST_F(RunListTest, AFileWithTheNameOfAKeptRunIsThatOfAFriend) {
   EXPECT_EQ(describe(write(RunStore::fileNameOf(1, 5), followed_.run->recording)).who, "a friend");
 }
