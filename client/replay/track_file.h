@@ -12,8 +12,9 @@
 
 namespace platon {
 
-/// Reads the run of a recording from a file, and plays it once, or says in one sentence why it is none. `level`: that
-/// it must be on; null: any. Stops as readReplay and trackOf do.
+/// Reads the run of a recording from a file, and plays it once, or says in one sentence why it is none, or longer than
+/// RunCutter::kMaxTicks, which bounds the memory for its places. `level`: that it must be on; null: any. Stops as
+/// readReplay and trackOf do.
 std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level = nullptr,
                                               const std::stop_token& stop = {});
 

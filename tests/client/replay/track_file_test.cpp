@@ -1,11 +1,13 @@
 #include "client/replay/track_file.h"
 
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "client/replay/recording_facts.h"
 #include "platon/game/recorder.h"
+#include "platon/game/recording_format.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
@@ -63,6 +65,26 @@ TEST_F(TrackFileTest, ARecordingThatBeginsBesideTheGoalIsNoRun) {
   EXPECT_EQ(facts.note, "") << "it can be watched";
   EXPECT_EQ(facts.ticks, std::nullopt);
   EXPECT_EQ(": " + facts.noRun, fault());
+}
+
+TEST_F(TrackFileTest, ARunThatIsLongerThanAnyWhichTheGameKeepsIsRefused) {
+  for (const auto& [wait, allowed] :
+       {std::pair(RunCutter::kMaxTicks - 200, true), std::pair(RunCutter::kMaxTicks, false)}) {
+    PlayedGame played(followed_.game.sharedLevel());
+    Recorder recorder(played.game, kMaxCheckpointTicks);
+    const auto hold = [&](std::uint8_t buttons) {
+      const Input input{static_cast<std::uint8_t>(buttons | Input::kPresent)};
+      played.run(1, buttons);
+      recorder.record({&input, 1}, played.game);
+    };
+    hold(Input::kJump);
+    for (std::size_t tick = 0; tick < wait; ++tick) hold(0);
+    for (int tick = 0; tick < 199 && played.player().arrived == 0; ++tick) hold(Input::kRight);
+    ASSERT_EQ(played.player().arrived, 1);
+    recorder.finish(played.game);
+    write(recorder.takeBytes());
+    EXPECT_EQ(fault(), allowed ? "" : ": is a run of more than 30 minutes, too long for a ghost");
+  }
 }
 
 }  // namespace
