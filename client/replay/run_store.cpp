@@ -33,6 +33,12 @@ std::optional<StoredRun> runOf(const fs::path& file) {
   return name == nameOf(run.level, run.rules, run.ticks) ? std::optional(run) : std::nullopt;
 }
 
+// Whether this is surely a recording on another level, perhaps one with the same hash.
+bool isOnOtherLevel(const fs::path& file, const Level& level) {
+  const std::optional<RecordingHead> head = readRecordingHeadOf(file);
+  return head && head->level && !isSameLevel(*head->level, level);
+}
+
 }  // namespace
 
 std::string RunStore::fileNameOf(std::uint64_t level, std::uint32_t ticks) {
@@ -71,10 +77,7 @@ std::optional<StoredRun> RunStore::bestByName(const Level& level) const {
 
 std::vector<StoredRun> RunStore::runsOn(const Level& level) const {
   std::vector<StoredRun> runs = candidates(level);
-  std::erase_if(runs, [&](const StoredRun& run) {
-    const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
-    return head && head->level && !isSameLevel(*head->level, level);
-  });
+  std::erase_if(runs, [&](const StoredRun& run) { return isOnOtherLevel(run.file, level); });
   return runs;
 }
 
@@ -103,7 +106,8 @@ std::string RunStore::keep(const Run& run) {
   if (!fault.empty()) return file.string() + ": " + fault;
   for (const StoredRun& old : all()) {
     const bool replaced = old.level == run.level->hash && old.rules == kRulesVersion && old.ticks > run.ticks;
-    if (replaced && old.file.parent_path() == folder) fs::remove(old.file, ignored);
+    if (!replaced || old.file.parent_path() != folder || isOnOtherLevel(old.file, *run.level)) continue;
+    fs::remove(old.file, ignored);
   }
   limit();
   return {};

@@ -175,6 +175,18 @@ TEST_F(RunStoreTest, ARunOnAnotherLevelWithTheSameHashIsNotTheBest) {
   EXPECT_EQ(store_.bestByName(*forged)->file, store_.fileOf(run));
 }
 
+TEST_F(RunStoreTest, ARunReplacesNoneOnAnotherLevelWithTheSameHash) {
+  const auto slow = runOf(Input::kWalk);
+  store_.keep(slow);
+  auto other = runOf();
+  auto forged = std::make_shared<Level>(*other.level);
+  forged->text += "# another";
+  other.level = forged;
+  ASSERT_EQ(store_.keep(other), "");
+  EXPECT_TRUE(fs::exists(store_.fileOf(slow)));
+  EXPECT_EQ(files(), 2U);
+}
+
 TEST_F(RunStoreTest, ARunOnAServerReplacesNoneOfOwnGames) {
   store_.keep(runOf(Input::kWalk));
   RunStore server(path_, "server");
