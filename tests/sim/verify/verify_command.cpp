@@ -7,6 +7,7 @@
 #include "levels/tool/json_text.h"
 #include "tests/sim/commands.h"
 #include "tests/sim/files.h"
+#include "tests/sim/hex_digits.h"
 #include "tests/sim/recording_file.h"
 #include "tests/sim/sim_options.h"
 #include "tests/sim/verify/verification.h"
@@ -16,19 +17,23 @@
 namespace platon::sim {
 namespace {
 
-void printJson(const std::string& path, const Verification& found, double timesRealTime) {
+void printJson(const std::string& path, const Level& level, const Verification& found, double timesRealTime) {
   std::printf(
-      "{\"recording\":%s,\"firstTick\":%u,\"beginsInMidGame\":%s,\"ticks\":%u,\"players\":%u,\"hash\":\"%016llx\","
+      "{\"recording\":%s,\"level\":\"%s\",\"title\":%s,\"firstTick\":%u,\"beginsInMidGame\":%s,\"ticks\":%u,"
+      "\"players\":%u,\"hash\":\"%016llx\","
       "\"complete\":%s,%s,\"timesRealTime\":%.0f%s}\n",
-      jsonText(path).c_str(), found.firstTick, found.beginsInMidGame ? "true" : "false", found.ticks, found.slots,
-      static_cast<unsigned long long>(found.hash), found.fault.empty() ? "true" : "false", jsonOf(found.run).c_str(),
-      timesRealTime, found.divergence ? (",\"differs\":" + jsonOf(*found.divergence)).c_str() : "");
+      jsonText(path).c_str(), hexDigits(level.hash).c_str(), jsonText(level.title).c_str(), found.firstTick,
+      found.beginsInMidGame ? "true" : "false", found.ticks, found.slots, static_cast<unsigned long long>(found.hash),
+      found.fault.empty() ? "true" : "false", jsonOf(found.run).c_str(), timesRealTime,
+      found.divergence ? (",\"differs\":" + jsonOf(*found.divergence)).c_str() : "");
 }
 
-void printText(const std::string& path, const Verification& found, double timesRealTime) {
-  std::printf("recording %s\nfirst tick %u%s\nticks %u\nplayers %u\nhash %016llx\n%s\n%.0f times real time\n",
-              path.c_str(), found.firstTick, found.beginsInMidGame ? "\nbegins in mid-game" : "", found.ticks,
-              found.slots, static_cast<unsigned long long>(found.hash), textOf(found.run).c_str(), timesRealTime);
+void printText(const std::string& path, const Level& level, const Verification& found, double timesRealTime) {
+  std::printf(
+      "recording %s\nlevel %s%s\nfirst tick %u%s\nticks %u\nplayers %u\nhash %016llx\n%s\n%.0f times real time\n",
+      path.c_str(), hexDigits(level.hash).c_str(), (level.title.empty() ? "" : " " + level.title).c_str(),
+      found.firstTick, found.beginsInMidGame ? "\nbegins in mid-game" : "", found.ticks, found.slots,
+      static_cast<unsigned long long>(found.hash), textOf(found.run).c_str(), timesRealTime);
 }
 
 void showLine(const std::string& line) { std::fprintf(stderr, "\r%-60s\r%s", "", line.c_str()); }
@@ -62,7 +67,8 @@ int verifyFile(const std::string& path, const Options& options) {
   if (verifier.game() != nullptr) recording.finish(*verifier.game());
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   const double timesRealTime = found.ticks / (kTicksPerSecond * spent.count());
-  if (verifier.game() != nullptr) (options.has("json") ? printJson : printText)(path, found, timesRealTime);
+  if (const Game* const game = verifier.game(); game != nullptr)
+    (options.has("json") ? printJson : printText)(path, game->level(), found, timesRealTime);
   const VerifyReport report = reportOf(path, found);
   std::fputs(report.text.c_str(), stderr);
   return report.exitCode;

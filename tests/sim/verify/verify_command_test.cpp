@@ -9,6 +9,7 @@
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/sim/command_testing.h"
+#include "tests/sim/hex_digits.h"
 #include "tests/sim/sim_options.h"
 #include "tests/sim/verify/verification.h"
 
@@ -23,7 +24,8 @@ TEST(VerifyCommandTest, PrintsOneJsonObject) {
   const std::string json = outputOf(verifyCommand, {path, "--json"});
   EXPECT_THAT(
       json,
-      MatchesRegex("\\{\"recording\":\"[^\"]*\",\"firstTick\":0,\"beginsInMidGame\":false,\"ticks\":300,\"players\":3,"
+      MatchesRegex("\\{\"recording\":\"[^\"]*\",\"level\":\"[0-9a-f]+\",\"title\":\"[^\"]*\",\"firstTick\":0,"
+                   "\"beginsInMidGame\":false,\"ticks\":300,\"players\":3,"
                    "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"run\":null,"
                    "\"noRun\":\"is no run: it does not end with a player at the goal\",\"timesRealTime\":[0-9]+\\}\n"));
   EXPECT_EQ(
@@ -51,6 +53,22 @@ TEST(VerifyCommandTest, SaysWhetherARecordingIsARun) {
   EXPECT_THAT(verified(forged, {}), HasSubstr(why + "\n"));
   const auto cut = std::span(run).first(run.size() - 1);
   EXPECT_EQ(std::get<std::string>(Verifier(cut).run().run), "is no run: it was not replayed to its end");
+}
+
+// Whoever makes a recording has chosen its level, which may have the title of another one.
+TEST(VerifyCommandTest, NamesTheLevelByItsHashAndTitle) {
+  const auto text = [](const std::string& goal) {
+    return "# title: Run and jump\nHEXAHEDRON\n0 0 -180 0\n" + goal + "\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n";
+  };
+  for (const char* const goal : {"0 100 -190", "0 -150 -190"}) {
+    const auto level = levelOf(text(goal));
+    const auto run = recordToGoal(Game(level));
+    const std::string path = fileWith("run", {reinterpret_cast<const char*>(run.data()), run.size()});
+    const std::string hash = hexDigits(level->hash);
+    EXPECT_THAT(outputOf(verifyCommand, {path}), HasSubstr("\nlevel " + hash + " Run and jump\nfirst tick 0\n"));
+    EXPECT_THAT(outputOf(verifyCommand, {path, "--json"}),
+                HasSubstr(",\"level\":\"" + hash + "\",\"title\":\"Run and jump\","));
+  }
 }
 
 TEST(VerifyCommandTest, FromALaterCheckpointItIsNotKnownWhetherARecordingIsARun) {
