@@ -6,6 +6,8 @@
 
 #include <stb/stb_image_write.h>
 
+#include "protocol/files/text_file.h"
+
 namespace platon {
 
 void flipRows(Image& image) {
@@ -19,9 +21,13 @@ void flipRows(Image& image) {
 void writePng(const Image& image, const std::string& file) {
   const int width = static_cast<int>(image.width);
   const int height = static_cast<int>(image.height);
-  if (stbi_write_png(file.c_str(), width, height, 3, image.pixels.data(), 3 * width) == 0) {
-    throw std::runtime_error("cannot write the picture " + file);
-  }
+  std::string png;
+  const auto append = [](void* to, void* bytes, int count) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(count));
+  };
+  const bool made = stbi_write_png_to_func(append, &png, width, height, 3, image.pixels.data(), 3 * width) != 0;
+  const std::string fault = made ? replaceOutputFile(file, png) : "out of memory";
+  if (!fault.empty()) throw std::runtime_error("cannot write the picture " + file + ": " + fault);
 }
 
 }  // namespace platon

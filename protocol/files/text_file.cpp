@@ -90,4 +90,8 @@ std::string replaceCachedFile(const std::string& path, std::string_view content)
   return replaceFile(path, content, Wait::kNot);
 }
 
+std::string replaceOutputFile(const std::string& path, std::string_view content) {
+  return replaceFile(path, content, Wait::kNot, kPublicRights);
+}
+
 }  // namespace platon

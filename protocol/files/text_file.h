@@ -28,6 +28,9 @@ std::string replacePublicFile(const std::string& path, std::string_view content)
 /// what can be made again.
 std::string replaceCachedFile(const std::string& path, std::string_view content);
 
+/// As replaceCachedFile, but everybody may read a new file: for what the user has asked for, and can ask for again.
+std::string replaceOutputFile(const std::string& path, std::string_view content);
+
 /// The folder of a file.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 

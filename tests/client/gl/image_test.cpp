@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
+#include <sys/stat.h>
 
+#include "tests/support/files.h"
+#include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon::image_test {
@@ -31,6 +34,27 @@ TEST(Image, AWrittenPngIsReadBack) {
   EXPECT_EQ(height, 2);
   EXPECT_EQ(std::vector<std::uint8_t>(pixels, pixels + 12), image.pixels);
   stbi_image_free(pixels);
+}
+
+TEST(Image, OnAFullDiskThePictureBeforeRemainsAndTheErrorIsNamed) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "image.png";
+  writeText(file, "before");
+  const FullDisk full(10);
+  try {
+    writePng(Image{1, 1, {1, 2, 3}}, file);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), "cannot write the picture " + file + ": File too large");
+  }
+  EXPECT_EQ(readText(file), "before");
+}
+
+TEST(Image, APictureIsWrittenIntoNoPipe) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "image.png";
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_THROW(writePng(Image{1, 1, {1, 2, 3}}, file), std::runtime_error);
 }
 
 TEST(Image, AnUnwritableFileIsAnError) {

@@ -94,6 +94,9 @@ TEST_F(TextFileTest, OnlyAPublicFileCanBeReadByOthersWhenItIsNew) {
     EXPECT_EQ(replacePublicFile(path_, "list"), "");
     EXPECT_EQ(rights(), 0644u) << mask;
     fs::remove(path_);
+    EXPECT_EQ(replaceOutputFile(path_, "picture"), "");
+    EXPECT_EQ(rights(), 0644u) << mask;
+    fs::remove(path_);
     EXPECT_EQ(replaceTextFile(path_, "mine"), "");
     EXPECT_EQ(rights(), 0600u) << mask;
   }
