@@ -9,14 +9,16 @@ namespace platon {
 
 namespace {
 
-// Creates a file; never overwrites one. Returns 0 or the error number.
+// Creates a file with its whole content or not at all; never overwrites one. Returns 0 or the error number.
 template <class Bytes>
 int createFile(const std::filesystem::path& path, const Bytes& bytes) {
   std::FILE* const file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr) return errno;
-  const bool complete = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  const int error = complete ? 0 : errno;
-  return std::fclose(file) == 0 ? error : errno;
+  int error = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
+  if (std::fclose(file) != 0 && error == 0) error = errno;
+  std::error_code ignored;
+  if (error != 0) std::filesystem::remove(path, ignored);
+  return error;
 }
 
 std::string failure(const std::filesystem::path& path, int error) {

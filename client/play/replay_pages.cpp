@@ -124,6 +124,8 @@ void ReplayPages::keep(std::size_t index) {
   if (!error) fs::copy_file(fileOf(index), copy, error);
   if (error) {
     fault_ = "It cannot be kept: " + error.message() + ".";
+    std::error_code ignored;
+    if (error != std::errc::file_exists) fs::remove(copy, ignored);  // a part of it
     return;
   }
   menu_->back();

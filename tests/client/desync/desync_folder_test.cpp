@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "tests/support/files.h"
+#include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon::desync_folder_test {
@@ -45,6 +46,13 @@ TEST_F(DesyncFolderTest, NeverOverwritesARecording) {
   EXPECT_EQ(DesyncFolder(folder_).write({"again", "", {4}}), "again; see " + (folder_ / "desync-2.txt").string());
   EXPECT_EQ(content("desync-1.recording"), "\1\2\3");
   EXPECT_EQ(content("desync-2.recording"), "\4");
+}
+
+TEST_F(DesyncFolderTest, OnAFullDiskNoPartOfAReportIsLeft) {
+  const FullDisk full(2);
+  const std::string said = DesyncFolder(folder_).write(kReport);
+  EXPECT_EQ(said, "a desync; cannot write " + (folder_ / "desync-1.recording").string() + ": File too large");
+  EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(DesyncFolderTest, NamesTheErrorWhenItCannotWrite) {

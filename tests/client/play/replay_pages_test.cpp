@@ -12,6 +12,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
+#include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
@@ -125,6 +126,20 @@ TEST_F(ReplayPagesTest, ARecordingFromElsewhereIsKeptAsAGhost) {
   EXPECT_TRUE(shows("Runs of others"));
   tap(Key::kEscape);
   EXPECT_TRUE(shows("Title"));
+}
+
+TEST_F(ReplayPagesTest, OnAFullDiskNoPartOfACopyIsLeft) {
+  write(elsewhere_, played_.run->recording);
+  pages_.showRun(elsewhere_);
+  EXPECT_TRUE(becomes("Keep it as a ghost"));
+  tap(Key::kArrowDown);
+  tap(Key::kArrowDown);
+  {
+    const FullDisk full(100);
+    tap(Key::kEnter);
+  }
+  EXPECT_TRUE(shows("It cannot be kept: File too large"));
+  EXPECT_TRUE(fs::is_empty(ghosts_));
 }
 
 TEST_F(ReplayPagesTest, AFailedCopySaysWhy) {
