@@ -32,11 +32,10 @@ std::optional<std::uint16_t> portOf(const std::string& text) {
 }
 
 // Writes a level for the server in this program, which says so if the file is missing. A file of its own: another
-// program may play another level.
+// program may play another level. Never in a folder that others can write to: they could put a link in its place.
 std::string racedLevelFile(const Level& level) {
   constexpr std::size_t kMaxFiles = 16;
-  const std::filesystem::path cache = cacheFolder().empty() ? std::filesystem::temp_directory_path() : cacheFolder();
-  const std::filesystem::path folder = cache / "raced";
+  const std::filesystem::path folder = cacheFolder() / "raced";
   const std::filesystem::path file = folder / (std::to_string(level.hash) + ".level");
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
