@@ -45,10 +45,11 @@ foreach(tool bench bot level sim)
   platon_install_program(platon-${tool} COMPONENT tools SECTION 1)
 endforeach()
 
-# The levels, and the times that their medals follow from. A link to the folder would be installed as a link.
+# The levels, the recorded ways to their goals, and the times that their medals follow from. A link to the folder would
+# be installed as a link.
 file(REAL_PATH ${PROJECT_SOURCE_DIR}/levels levels)
 install(DIRECTORY ${levels}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/platon/levels COMPONENT data
-        FILES_MATCHING PATTERN *.level PATTERN way_times
+        FILES_MATCHING PATTERN *.level PATTERN *.recording PATTERN way_times
         PATTERN check EXCLUDE PATTERN drawing EXCLUDE PATTERN picture EXCLUDE PATTERN reach EXCLUDE PATTERN solve EXCLUDE
         PATTERN tool EXCLUDE)
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "client/ui/solid_text.h"
+#include "levels/solve/recorded_way.h"
 #include "platon/game/game.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
@@ -32,12 +33,28 @@ std::optional<std::uint32_t> olderTicks(const BestTimes& times, std::uint64_t le
 
 constexpr std::size_t kMaxTimesBytes = 1 << 16;
 
-// The table is beside the folders of the solids.
-std::map<std::string, std::uint32_t> wayTimesBeside(const std::string& levelFile) {
-  const auto file = std::filesystem::path(levelFile).parent_path().parent_path() / "way_times";
-  const auto read = readTextFile(file.string(), kMaxTimesBytes);
+constexpr std::size_t kMaxWayBytes = 1 << 20;
+
+// What is in a file beside the folders of the solids; empty if it cannot be read.
+std::string readBeside(const std::string& levelFile, const std::filesystem::path& name, std::size_t maxBytes) {
+  auto read = readTextFile((std::filesystem::path(levelFile).parent_path().parent_path() / name).string(), maxBytes);
+  auto* const content = std::get_if<std::string>(&read);
+  return content == nullptr ? std::string() : std::move(*content);
+}
+
+// None if they are missing.
+std::vector<std::string> gameLevelFilesIfAny() {
+  try {
+    return gameLevelFiles();
+  } catch (const ProgramError&) {
+    return {};
+  }
+}
+
+bool holds(const std::string& levelFile, const Level& level) {
+  const auto read = readTextFile(levelFile, kMaxLevelBytes);
   const auto* const text = std::get_if<std::string>(&read);
-  return text == nullptr ? std::map<std::string, std::uint32_t>() : parseWayTimes(*text);
+  return text != nullptr && *text == level.text;
 }
 
 ShippedLevel shippedLevel(const std::string& file, std::shared_ptr<const Level> level,
@@ -56,7 +73,7 @@ std::vector<ShippedLevel> loadShippedLevels() {
   const std::vector<std::string> files = gameLevelFiles();
   const LoadedLevels loaded = loadLevelFiles(files);
   std::vector<ShippedLevel> levels;
-  const std::map<std::string, std::uint32_t> times = wayTimesBeside(files.front());
+  const auto times = parseWayTimes(readBeside(files.front(), "way_times", kMaxTimesBytes));
   for (std::size_t i = 0; i < files.size(); ++i) levels.push_back(shippedLevel(files[i], loaded.levels[i], times));
   // The solids follow each other as in the order of the files.
   std::vector<SolidKind> solids;
@@ -81,6 +98,17 @@ std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text) {
     if (words >> name >> ticks && name.front() != '#') times[name] = ticks;
   }
   return times;
+}
+
+std::optional<Solution> shippedWay(const Level& level) {
+  for (const std::string& file : gameLevelFilesIfAny()) {
+    if (!holds(file, level)) continue;
+    const auto name = std::filesystem::path("ways") / std::filesystem::path(file).stem().concat(".recording");
+    const std::string bytes = readBeside(file, name, kMaxWayBytes);
+    RecordedWay way = readRecordedWay(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+    if (way.level && way.level->hash == level.hash) return std::move(way.inputs);
+  }
+  return std::nullopt;
 }
 
 LevelEntry entryOf(const ShippedLevel& level) {

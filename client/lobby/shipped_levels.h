@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "client/lobby/reached_levels.h"
 #include "client/menu/pages/levels_page.h"
+#include "levels/solve/solution.h"
 #include "platon/game/level.h"
 
 namespace platon {
@@ -29,6 +31,10 @@ std::vector<ShippedLevel> loadShippedLevels();
 /// The ticks of the recorded easy ways to the goals, from the text of `levels/way_times`: lines with the name of a
 /// level file, without its extension, and a number. Other lines are left out.
 std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text);
+
+/// The recorded easy way to the goal of a level that comes with the game; nothing for another level, or if it is
+/// missing or is one of other rules.
+std::optional<Solution> shippedWay(const Level& level);
 
 /// What the list of levels shows of a level, without a time.
 LevelEntry entryOf(const ShippedLevel& level);

@@ -124,7 +124,7 @@ TEST(ShippedLevelsTest, GetHarderOnEachSolid) {
 TEST(ShippedLevelsTest, EachRecordingHasItsLevel) {
   std::set<std::string> names;
   for (const std::string& file : shippedLevels()) names.insert(shippedName(file));
-  for (const std::string& file : filesIn("tests/levels/ways", ".recording")) {
+  for (const std::string& file : filesIn("levels/ways", ".recording")) {
     EXPECT_TRUE(names.contains(shippedName(file))) << file;
   }
 }

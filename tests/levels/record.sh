@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Records an easy way to the goal of each level file that is named, or of all levels, in tests/levels/ways, and writes
+# Records an easy way to the goal of each level file that is named, or of all levels, in levels/ways, and writes
 # the times of all ways to levels/way_times, from which the medals follow. Needed after a change of a level or of the
 # rules. Usage: tests/levels/record.sh [--times | LEVEL…]; --times records nothing.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 tool=build/release/bin/platon-level
-way() { echo "tests/levels/ways/$(basename "$1" .level).recording"; }
+way() { echo "levels/ways/$(basename "$1" .level).recording"; }
 
 if [[ ${1:-} != --times ]]; then
   [[ $# != 0 ]] || set -- levels/*/*.level

@@ -134,6 +134,17 @@ def check_pages(debs, folder):
         sys.exit("\n".join(faults))
 
 
+def check_ways(debs, folder):
+    """The demonstration finds the recorded way of every level."""
+    for deb in debs:
+        if deb.name.startswith("platon-data_"):
+            run("dpkg-deb", "-x", deb, folder)
+            levels = folder / "usr/share/platon/levels"
+            names = {path.stem for path in levels.rglob("*.level")}
+            if not names or names != {path.stem for path in levels.glob("ways/*.recording")}:
+                sys.exit("the packaged levels and the packaged recordings of ways differ")
+
+
 def write_program(path, script):
     path.write_text(f"#!/bin/sh\n{script}")
     path.chmod(0o755)
@@ -228,6 +239,7 @@ def main(arguments):
     try:
         check_baseline(debs, machine / "server")
         check_pages(debs, machine / "pages")
+        check_ways(debs, machine / "data")
         run("tar", "-C", machine, "-xf", image)
         machine.chmod(0o755)
         furnish(machine, debs)

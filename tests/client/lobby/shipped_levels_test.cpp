@@ -75,6 +75,16 @@ TEST(ShippedLevels, AreReachedWithATimeOrWithoutOne) {
   EXPECT_FALSE(entries[1].bestTicks);
 }
 
+TEST(ShippedLevels, HaveRecordedWaysAndOtherLevelsHaveNone) {
+  for (const ShippedLevel& one : loadShippedLevels()) {
+    const std::optional<Solution> way = shippedWay(*one.level);
+    ASSERT_TRUE(way) << "run tests/levels/record.sh " << one.file;
+    EXPECT_TRUE(factsOf(one.level, *way)) << one.file;
+    const LevelResult changed = loadLevel(one.level->text + "# changed\n");
+    EXPECT_FALSE(shippedWay(*changed.level)) << one.file;
+  }
+}
+
 TEST(ShippedLevels, TheTimesOfWaysAreReadFromTheirTable) {
   const auto times = parseWayTimes("# comment 1\n01_one 228\n\n02_two\n03_three 0x\n04_four 7 more\n");
   EXPECT_EQ(times, (std::map<std::string, std::uint32_t>{{"01_one", 228}, {"03_three", 0}, {"04_four", 7}}));

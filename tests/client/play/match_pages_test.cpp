@@ -109,7 +109,7 @@ TEST_F(MatchPagesTest, WithOthersAGamepadThatIsUnpluggedStopsNoGameAndThePauseLe
 }
 
 TEST_F(MatchPagesTest, TheBestRunIsOfferedAsLongAsThePlayerIsAlone) {
-  const std::filesystem::path recording = "tests/levels/ways/01_run_and_jump.recording";
+  const std::filesystem::path recording = "levels/ways/01_run_and_jump.recording";
   const std::uint64_t level = readRecordingHeadOf(recording).value().level->hash;
   const std::string name = RunStore::fileNameOf(level, readRecordingFacts(recording).ticks.value());
   std::filesystem::create_directories(runsFolder());
