@@ -12,6 +12,7 @@
 #include "client/gl/game_view.h"
 #include "client/gl/screenshot_writer.h"
 #include "client/gl/window.h"
+#include "client/lobby/shipped_levels.h"
 #include "client/menu/menu.h"
 #include "client/menu/pages/settings_pages.h"
 #include "client/menu/pages/turntable.h"
@@ -128,7 +129,7 @@ class WindowPlay {
   NewPlayerHints hints_;
   Spectator spectator_;
   SkipQuestion skip_;
-  Demo demo_;
+  Demo demo_{shippedWay};
   NetMeter meter_;
   ScreenshotWriter pictures_{picturesFolder()};
   SoundFeed sound_;

@@ -20,7 +20,7 @@ FOLDER = "docs/pictures"
 FRAMES_PER_SECOND = 20
 MAX_GIF_BYTES = 1_500_000
 
-FILM = {"name": "crossing.gif", "level": "hexahedron/03_a_wall_becomes_a_floor", "from": 5.0, "seconds": 5.4, "width": 640}
+FILM = {"name": "crossing.gif", "level": "hexahedron/03_a_wall_becomes_a_floor", "from": 0.0, "seconds": 5.4, "width": 640}
 STILLS = [
     {"name": "hexahedron.png", "level": "hexahedron/02_over_the_edge", "from": 8.0, "players": 2},
 ]

@@ -92,7 +92,8 @@ void WaySearch::keep(std::uint32_t parent, std::uint8_t buttons) {
   const auto [known, isNew] = costs_.emplace(here, cost);
   if (!isNew && known->second <= cost) return;
   known->second = cost;
-  open_[cost].push_back(static_cast<std::uint32_t>(nodes_.size()));
+  const std::uint32_t left = limits_.ticksLeft ? limits_.ticksLeft(game_) : 0;
+  open_[cost + left].push_back(static_cast<std::uint32_t>(nodes_.size()));
   nodes_.push_back({parent, cost, here, buttons, game_.save()});
 }
 

@@ -32,6 +32,8 @@ class WaySearch {
     std::uint32_t pressCost = 0;             ///< of each press of a button, in ticks
     std::vector<ElementWord> without = {};   ///< keys, plates or checkpoints that a way does not touch
     std::function<bool()> stop = {};         ///< asked every few milliseconds by find and findAll; true: they end
+    /// Estimates the ticks that are left from a state, for a search that finds some way sooner, not a short one.
+    std::function<std::uint32_t(const Game& game)> ticksLeft = {};
   };
 
   /// Searches for `slot` from `start`, in which its player is present.
@@ -81,7 +83,7 @@ class WaySearch {
   std::uint32_t crossingsBefore_;
   std::vector<Input> inputs_;
   std::vector<Node> nodes_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> open_;  // nodes that are not expanded, by cost
+  std::map<std::uint32_t, std::vector<std::uint32_t>> open_;  // not expanded, by cost and ticks left
   std::unordered_map<std::uint64_t, std::uint32_t> costs_;    // lowest cost by signature
   std::map<Target, Way> found_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/demo/demo.h"
+#include "client/lobby/shipped_levels.h"
 #include "client/netcode/prediction.h"
 #include "client/play/offscreen/local_game.h"
 #include "client/scene/scene.h"
@@ -41,7 +42,7 @@ class BenchmarkGame {
   void advance();
 
   LocalGame game_;
-  Demo demo_;                               // of the first player
+  Demo demo_{shippedWay};                   // of the first player
   std::vector<std::vector<Input>> inputs_;  // of the round, by tick and slot
   std::optional<Prediction> prediction_;    // of the round; always set
 };

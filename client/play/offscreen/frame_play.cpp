@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "client/gl/image.h"
+#include "client/lobby/shipped_levels.h"
 
 namespace platon {
 
@@ -37,7 +38,7 @@ FramePlay::FramePlay(const ClientOptions& options, std::shared_ptr<const Level> 
       endTick_(firstTick_ + toTicks(options.seconds.value_or(kSeconds))),
       view_(options_.width, options_.width * 9 / 16),
       game_(std::move(level), namesOfPlayers(options_.players)),
-      demos_(options_.players) {
+      demos_(options_.players, Demo(shippedWay)) {
   view_.setQuality(kBestQuality);
 }
 

@@ -5,6 +5,7 @@
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
 #include "client/gl/offscreen.h"
+#include "client/lobby/shipped_levels.h"
 #include "client/play/client_options.h"
 #include "client/play/match/match_play.h"
 #include "client/play/play_window.h"
@@ -31,7 +32,7 @@ class OffscreenPlay {
   Offscreen offscreen_;
   GameView view_{kPictureWidth, kPictureHeight};
   MatchPlay match_;
-  Demo demo_;
+  Demo demo_{shippedWay};
 };
 
 }  // namespace platon

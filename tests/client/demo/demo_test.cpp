@@ -2,12 +2,28 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "tests/support/test_level.h"
+#include "client/lobby/shipped_levels.h"
+#include "tests/support/files.h"
 
 namespace platon::demo_test {
 namespace {
+
+constexpr int kMostTicksStill = 2 * kTicksPerSecond;
+
+// A closed room on face 0 with its goal at the right, and these segments in it.
+std::shared_ptr<const Level> roomLevel(const std::string& segments) {
+  const LevelResult result = loadLevel(
+      "HEXAHEDRON\n0 -60 -185 0\n0 95 -180\n480\n%\n"
+      "-120 -200 120 -200\n120 -200 120 -140\n120 -140 -120 -140\n-120 -140 -120 -200\n" +
+      segments + "%\n%\n%\n%\n%\n");
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return result.level;
+}
 
 // Returns whether the player finishes within this number of ticks.
 bool finishes(Demo& demo, Game& game, std::uint32_t slot, int ticks) {
@@ -21,32 +37,116 @@ bool finishes(Demo& demo, Game& game, std::uint32_t slot, int ticks) {
   return false;
 }
 
-TEST(Demo, FinishesALevel) {
-  for (const auto& level : {flatLevel(), cornerLevel()}) {
-    Demo demo;
-    Game game(level);
-    EXPECT_TRUE(finishes(demo, game, 0, 3000));
+// Demonstrations that play a level of the game from its start.
+class Demonstration {
+ public:
+  // They join one after the other, so many ticks apart.
+  Demonstration(std::shared_ptr<const Level> level, std::uint32_t players, std::uint32_t ticksApart)
+      : game_(std::move(level)), demos_(players, Demo(shippedWay)), ticksApart_(ticksApart), places_(players) {}
+
+  void play(std::uint32_t ticks) {
+    while (game_.tick() < ticks && !game_.over()) {
+      std::vector<Input> inputs(demos_.size());
+      for (std::uint32_t slot = 0; slot < inputs.size(); ++slot) {
+        if (game_.tick() < slot * ticksApart_) continue;
+        inputs[slot].buttons = demos_[slot].choose(game_, slot).buttons | Input::kPresent;
+        EXPECT_TRUE(isInput(inputs[slot]));
+      }
+      game_.advance(inputs);
+      noteMotion();
+    }
+  }
+
+  const Game& game() const { return game_; }
+  // For which no player moved.
+  int mostTicksStill() const { return mostTicksStill_; }
+
+ private:
+  void noteMotion() {
+    std::vector<Point> places(demos_.size());
+    for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) places[slot] = game_.world().entities()[slot].position;
+    ticksStill_ = places == places_ ? ticksStill_ + 1 : 0;
+    mostTicksStill_ = std::max(mostTicksStill_, ticksStill_);
+    places_ = std::move(places);
+  }
+
+  Game game_;
+  std::vector<Demo> demos_;
+  std::uint32_t ticksApart_;
+  std::vector<Point> places_;
+  int ticksStill_ = 0;
+  int mostTicksStill_ = 0;
+};
+
+std::shared_ptr<const Level> levelIn(const std::string& file) {
+  std::shared_ptr<const Level> level = loadLevel(readText(file)).level;
+  if (!level) throw std::logic_error(file + " is invalid");
+  return level;
+}
+
+std::uint32_t ticksOfWay(const Level& level) {
+  const std::optional<Solution> way = shippedWay(level);
+  if (!way) throw std::logic_error(level.title + " has no recorded way; run tests/levels/record.sh");
+  return static_cast<std::uint32_t>(way->size());
+}
+
+// The demonstration stood still for 15 s on "Four downs" and on "The order of corners".
+TEST(Demo, StandsStillForAtMostTwoSecondsOnEveryLevel) {
+  for (const std::string& file : shippedLevels()) {
+    const auto level = levelIn(file);
+    Demonstration all(level, level->players, 0);
+    all.play(ticksOfWay(*level) + 1);  // one tick to join
+    EXPECT_TRUE(all.game().over()) << file;
+    EXPECT_LE(all.mostTicksStill(), kMostTicksStill) << file;
   }
 }
 
-// Over a hazard and through a one-way segment to the goal behind a door, with the key on the other side of the start.
-TEST(Demo, FinishesALevelWithElements) {
-  const LevelResult result = loadLevel(
-      "HEXAHEDRON\n0 -100 -180 0\n0 180 -180\n480\n%\n"
-      "-220 -200 220 -200\n220 -200 220 -80\n220 -80 -220 -80\n-220 -80 -220 -200\n"
-      "-30 -200 -20 -190 hazard\n-20 -190 -10 -200 hazard\n40 -80 40 -200 oneway\n70 -200 70 -150 checkpoint\n"
-      "-200 -180 -200 -160 key 3\n120 -200 120 -80 door 3\n0 -120 30 -120 up 0\n%\n%\n%\n%\n%\n");
-  ASSERT_TRUE(result.level) << result.diagnostics.front().message;
+TEST(Demo, WhoJoinsLaterBeginsTogetherWithTheOthers) {
+  for (const std::string& file : shippedLevels()) {
+    const auto level = levelIn(file);
+    if (level->players == 1) continue;
+    Demonstration all(level, level->players, kTicksPerSecond);
+    all.play(3 * (ticksOfWay(*level) + kTicksPerSecond));
+    EXPECT_TRUE(all.game().over()) << file;
+  }
+}
+
+TEST(Demo, AloneOnALevelForSeveralItPlaysItsPartAgainAndAgain) {
+  for (const std::string& file : shippedLevels()) {
+    const auto level = levelIn(file);
+    if (level->players == 1) continue;
+    Demonstration alone(level, 1, 0);
+    alone.play(40 * kTicksPerSecond);
+    EXPECT_LE(alone.mostTicksStill(), kMostTicksStill) << file;
+  }
+}
+
+// A missed input, here a second of other ones.
+TEST(Demo, BeginsTheWayAgainAfterAMissedInput) {
+  Game game(levelIn("levels/hexahedron/01_run_and_jump.level"));
+  Demo demo(shippedWay);
+  EXPECT_FALSE(finishes(demo, game, 0, 100));
+  for (int tick = 0; tick < kTicksPerSecond; ++tick) game.advance(std::vector{Input{Input::kPresent | Input::kLeft}});
+  EXPECT_TRUE(finishes(demo, game, 0, static_cast<int>(ticksOfWay(game.level())) + 2));
+}
+
+TEST(Demo, SearchesAWayOnALevelWithoutARecordedOne) {
   Demo demo;
-  Game game(result.level);
+  Game game(roomLevel("-10 -200 0 -190 hazard\n0 -190 10 -200 hazard\n"));
+  EXPECT_TRUE(finishes(demo, game, 0, 3000));
+}
+
+// The key is on the other side of the start.
+TEST(Demo, FinishesALevelWithADoor) {
+  Demo demo;
+  Game game(roomLevel("-100 -180 -100 -160 key 3\n50 -200 50 -140 door 3\n"));
   EXPECT_TRUE(finishes(demo, game, 0, 3000));
   EXPECT_EQ(game.openDoors(), 1u << 3);
-  EXPECT_EQ(game.player(0).checkpoint, 4) << "the fourth element";
 }
 
 TEST(Demo, FinishesAlthoughItIsPushedOffItsPath) {
   Demo demo;
-  Game game(cornerLevel());
+  Game game(roomLevel(""));
   std::vector<Input> inputs = {Input{Input::kPresent}};
   game.advance(inputs);
   for (int tick = 0; tick < 6000 && !game.player(0).finished(); ++tick) {
@@ -58,16 +158,16 @@ TEST(Demo, FinishesAlthoughItIsPushedOffItsPath) {
 }
 
 TEST(Demo, PlaysTheNextRound) {
-  Demo demo;
-  Game first(flatLevel());
+  Demo demo(shippedWay);
+  Game first(roomLevel(""));
   EXPECT_TRUE(finishes(demo, first, 2, 3000));
-  Game second(cornerLevel());
+  Game second(levelIn("levels/hexahedron/01_run_and_jump.level"));
   EXPECT_TRUE(finishes(demo, second, 2, 3000));
 }
 
 TEST(Demo, PressesNothingWhileAbsent) {
-  Demo demo;
-  const Game game(flatLevel());
+  Demo demo(shippedWay);
+  const Game game(levelIn("levels/hexahedron/01_run_and_jump.level"));
   EXPECT_EQ(demo.choose(game, 0), Input{});
 }
 

@@ -1,5 +1,7 @@
 #include "levels/solve/way_search.h"
 
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "tests/shared/game/played_game.h"
@@ -34,6 +36,21 @@ TEST(WaySearchTest, FindsAWayThatReachesTheGoalInItsLastTick) {
   Game game = start;
   for (const Input input : inputs) game.advance({&input, 1});
   EXPECT_EQ(game.player(0).arrived, 0);
+}
+
+TEST(WaySearchTest, AnEstimateOfTheTicksThatAreLeftFindsAWaySooner) {
+  const Game start = standing("40 -150 140 -150\n", "0 110 -134");
+  WaySearch plain(start, 0);
+  WaySearch::Limits limits;
+  limits.ticksLeft = [](const Game& game) {
+    const Point place = game.world().entities()[0].position;
+    return static_cast<std::uint32_t>(std::abs(game.level().goal.x - place.x) / 1024);
+  };
+  WaySearch hasty(start, 0, limits);
+  ASSERT_TRUE(plain.find({}));
+  ASSERT_TRUE(hasty.find({}));
+  EXPECT_LT(3 * hasty.states(), plain.states());
+  EXPECT_NE(played(start, hasty, {}).player(0).arrived, 0);
 }
 
 TEST(WaySearchTest, EndsWhenThereIsNoWay) {
