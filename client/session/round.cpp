@@ -91,6 +91,7 @@ void Round::advance(Moment now, const Controls& controls) {
     Input local = prediction_.held()[prediction_.slot()];
     if (tick >= clock_.firstInput()) {
       local.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
+      if (endlessFall_.needsRestart()) local.buttons |= Input::kRestart;
       clock_.inputChosen(tick);
       inputSender_.add(tick, local);
     }
@@ -106,7 +107,7 @@ void Round::observeLocal() {
   if (slot >= game.slots()) return;
   const std::uint32_t ticks = prediction_.predictedTicks();
   flashes_.observe(slot, ticks, game.player(slot));
-  airTime_.observe(ticks, game.player(slot), game.world().entities()[slot].part);
+  endlessFall_.observe(ticks, game, slot);
   attemptTime_.observe(ticks, game.player(slot));
 }
 

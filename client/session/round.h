@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "client/desync/desync_detector.h"
-#include "client/netcode/air_time.h"
 #include "client/netcode/attempt_time.h"
 #include "client/netcode/confirmed_observer.h"
+#include "client/netcode/endless_fall.h"
 #include "client/netcode/input_sender.h"
 #include "client/netcode/interpolation_buffer.h"
 #include "client/netcode/player_flashes.h"
@@ -25,7 +25,8 @@
 
 namespace platon {
 
-/// Returns the input of `slot` for the next tick of `predicted`. Called once per tick.
+/// Returns the input of `slot` for the next tick of `predicted`. Called once per tick. When the player needs a restart
+/// (EndlessFall), the round presses it too.
 using Controls = std::function<Input(const Game& predicted, std::uint32_t slot)>;
 
 /// Desyncs and resyncs of a client.
@@ -52,7 +53,7 @@ class Round {
   /// Flashes by tick: of the confirmed game for the others, of the predicted game for the local player.
   const PlayerFlashes& flashes() const { return flashes_; }
   /// Of the local player in the predicted game.
-  const AirTime& airTime() const { return airTime_; }
+  const EndlessFall& endlessFall() const { return endlessFall_; }
   const AttemptTime& attemptTime() const { return attemptTime_; }
   /// Position between two predicted ticks, for drawing the local player: 0 at `prediction().predictedBefore()` … 1 at
   /// `prediction().predicted()`.
@@ -90,7 +91,7 @@ class Round {
   InputSender inputSender_;
   InterpolationBuffer interpolationBuffer_;
   PlayerFlashes flashes_;
-  AirTime airTime_;
+  EndlessFall endlessFall_;
   AttemptTime attemptTime_;
   std::uint8_t sync_ = 0;      // of the last full state taken
   std::uint32_t hash_ = 0;     // short hash of the confirmed game

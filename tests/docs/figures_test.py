@@ -173,8 +173,10 @@ def tilts(sources):
 
 
 def hint(sources):
-    """Seconds in the air after which the picture shows the hint."""
-    return [f"{sources.constant('client/netcode/air_time.h', 'kHintTicks') / 60:g}"]
+    """Seconds of a fall after which it is tried out, laps without a landing that show the hint, laps that restart."""
+    patience, *laps = (
+        sources.constant("client/netcode/endless_fall.h", name) for name in ("kPatience", "kHintLaps", "kRestartLaps"))
+    return [f"{patience / 60:g}", *map(str, laps)]
 
 
 def nudge(sources):
@@ -259,7 +261,8 @@ FIGURES = [
     Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
     Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
     Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_folder.h", "kMaxReports")),
-    Figures("docs/playing.md", "not touched ground for {} s", hint),
+    Figures("docs/playing.md", "fallen for {} s, and would not land within {} laps, is told that R returns to the start; "
+            "after lap {} the client presses R itself", hint),
     Figures("docs/playing.md", "{} high and about {} wide", lambda sources: jump(sources)[1:]),
     Figures("docs/playing.md", "rises or falls by at most {} a tick", apex),
     Figures("docs/playing.md", "at most {} a tick, and {} while down is held", falls),

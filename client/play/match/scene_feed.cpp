@@ -61,7 +61,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::v
   updateFlashes(*round);
   source.flashes = flashes_;
   source.attempt = round->attemptTime();
-  source.needsRestart = round->airTime().needsHint();
+  source.needsRestart = round->endlessFall().needsHint();
   source.othersCanJoin = true;
   source.ghosts = std::move(ghosts);
   source.ownBall = ownBall_;

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "client/netcode/confirmed_observer.h"
 #include "tests/support/pressing.h"
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
@@ -364,6 +367,42 @@ TEST(Session, LeavesAServerWhoseGameIsTooSlowOnThisComputer) {
   EXPECT_EQ(updatesUntilEnd(milliseconds(250), 100), 0);
   EXPECT_EQ(updatesUntilEnd(milliseconds(300), 100), 1 + 17);  // 5.1 s after the first ticks
   EXPECT_EQ(updatesUntilEnd(milliseconds(2000), 100), 1 + 6);  // each counts as 1 s
+}
+
+// Notes the ticks in which the player of slot 0 restarts, and on how many edges it has been since.
+class RestartObserver : public ConfirmedObserver {
+ public:
+  void began(const Game&, std::uint32_t) override {}
+  void advanced(std::span<const Input> inputs, const Game& game) override {
+    if (!inputs.empty() && inputs[0].has(Input::kRestart)) {
+      crossings.push_back(crossings_);
+      isAtStart.push_back(game.world().entities()[0].part == game.level().startFace);
+    }
+    if (game.slots() > 0) crossings_ = game.world().entities()[0].crossings;
+  }
+
+  std::vector<std::uint32_t> crossings;  // before each restart
+  std::vector<bool> isAtStart;           // after it
+
+ private:
+  std::uint32_t crossings_ = 0;
+};
+
+// A cube without a floor: round it once is four edges. The server decides what the client has pressed, so it is
+// recorded as any input.
+TEST(Session, AfterTheThirdLapOfAFallTheClientPressesRestart) {
+  const LevelResult level = loadLevel("HEXAHEDRON\n0 0 0 0\n4 200 200\n480\n%\n%\n%\n%\n%\n%\n");
+  ASSERT_TRUE(level.level);
+  SessionNetwork match({level.level}, kSeed);
+  const auto observer = std::make_shared<RestartObserver>();
+  match.join(
+      qualityOf(50), [](const Game&, std::uint32_t) { return Input{}; }, observer);
+  match.run(seconds(16));
+  EXPECT_TRUE(observer->crossings.empty());
+  match.run(seconds(29));
+  EXPECT_EQ(observer->isAtStart, std::vector<bool>({true, true}));
+  ASSERT_EQ(observer->crossings.size(), 2u);
+  EXPECT_EQ(observer->crossings[0], 12u);
 }
 
 }  // namespace

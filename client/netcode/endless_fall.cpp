@@ -1,0 +1,84 @@
+#include "client/netcode/endless_fall.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "platon/game/input.h"
+
+namespace platon {
+namespace {
+
+constexpr int kFacesOfLap = 4;  // at least
+
+// Who has touched the goal may fall as it likes.
+bool isFalling(const PlayerState& player) {
+  return player.present != 0 && player.arrived == 0 && player.ground == Point() && (player.held & Input::kRestart) == 0;
+}
+
+std::uint32_t faceOf(const Game& game, std::uint32_t slot) { return game.world().entities()[slot].part; }
+
+}  // namespace
+
+void FallLaps::enter(std::uint32_t face) {
+  if (face == face_) return;
+  face_ = face;
+  const std::uint32_t bit = std::uint32_t{1} << face;
+  if ((faces_ & bit) != 0 && std::popcount(faces_) >= kFacesOfLap) {
+    ++count_;
+    faces_ = 0;
+  }
+  faces_ |= bit;
+}
+
+void EndlessFall::observe(std::uint32_t ticks, const Game& game, std::uint32_t slot) {
+  if (ticks <= newest_) return;
+  const bool first = newest_ == 0;
+  newest_ = ticks;
+  if (first || !isFalling(game.player(slot))) {
+    grounded_ = ticks;
+    laps_ = {};
+    isEndless_ = false;
+    held_.reset();
+    trial_.reset();
+  }
+  laps_.enter(faceOf(game, slot));
+  if (ticks - grounded_ >= kPatience) tryOut(game, slot);
+}
+
+// As long as the buttons are the same, the fall is as the first trial foretells.
+void EndlessFall::tryOut(const Game& game, std::uint32_t slot) {
+  const std::uint8_t held = game.player(slot).held;
+  if (held_ != held) beginTrial(game, slot, held);
+  held_ = held;
+  const std::uint32_t ticks = std::max(kTrialTicks / game.slots(), 1U);
+  for (std::uint32_t tick = 0; tick < ticks && trial_; ++tick) {
+    if (const std::optional<bool> lands = advanceTrial(slot)) endTrial(game, slot, *lands);
+  }
+}
+
+void EndlessFall::endTrial(const Game& game, std::uint32_t slot, bool lands) {
+  const bool isOfHeld = inputs_[slot].buttons == held_;
+  if (!lands && inputs_[slot].buttons != Input::kPresent) return beginTrial(game, slot, Input::kPresent);
+  isEndless_ = !lands;
+  trial_.reset();
+  if (lands && !isOfHeld) held_.reset();  // later, it may be too late to let go of the keys
+}
+
+// The others keep their buttons, as in the prediction.
+void EndlessFall::beginTrial(const Game& game, std::uint32_t slot, std::uint8_t buttons) {
+  trial_ = game;
+  trialLaps_ = {};
+  inputs_.clear();
+  for (std::uint32_t other = 0; other < game.slots(); ++other) inputs_.push_back({game.player(other).held});
+  inputs_[slot] = {buttons};
+}
+
+// Whether the player lands; nothing yet while that is open.
+std::optional<bool> EndlessFall::advanceTrial(std::uint32_t slot) {
+  trial_->advance(inputs_);
+  trialLaps_.enter(faceOf(*trial_, slot));
+  if (!isFalling(trial_->player(slot))) return true;
+  return trialLaps_.count() < kHintLaps ? std::nullopt : std::optional(false);
+}
+
+}  // namespace platon

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "platon/game/game.h"
+
+namespace platon {
+
+/// Counts how often a ball that has left the ground has gone round its solid.
+class FallLaps {
+ public:
+  /// Notes that the ball is on this face. A lap ends on a face on which the ball has been in this lap, after four or
+  /// more: who goes round a corner of a solid, or to and fro over an edge, makes none.
+  void enter(std::uint32_t face);
+  int count() const { return count_; }
+
+ private:
+  std::uint32_t face_ = UINT32_MAX;  // none before the first
+  std::uint32_t faces_ = 0;          // bit F: on face F in this lap
+  int count_ = 0;
+};
+
+/// Tells whether the local player falls round the solid for ever. A fall that has lasted for a second is tried out on a
+/// copy of the game: with the buttons that the player holds, and with none.
+class EndlessFall {
+ public:
+  static constexpr std::uint32_t kPatience = kTicksPerSecond;  ///< ticks without ground, then the fall is tried out
+  static constexpr std::uint32_t kTrialTicks = 64;             ///< simulated for each tick, of all players together
+  static constexpr int kHintLaps = 2;     ///< a trial of so many laps does not land; a fall of so many needs the hint
+  static constexpr int kRestartLaps = 3;  ///< a fall of so many needs a restart
+
+  /// `game` is the predicted game after `ticks` ticks, with a player in `slot`. Ignored unless `ticks` exceeds that of
+  /// all earlier calls: replaying ticks counts none twice.
+  void observe(std::uint32_t ticks, const Game& game, std::uint32_t slot);
+
+  /// Whether the path of the player does not land, or its second lap is over. Neither holds any more once it stands,
+  /// touches the goal, restarts or leaves.
+  bool needsHint() const { return isEndless_ || laps_.count() >= kHintLaps; }
+  /// Whether its third lap is over.
+  bool needsRestart() const { return laps_.count() >= kRestartLaps; }
+
+ private:
+  void tryOut(const Game& game, std::uint32_t slot);
+  void beginTrial(const Game& game, std::uint32_t slot, std::uint8_t buttons);
+  void endTrial(const Game& game, std::uint32_t slot, bool lands);
+  std::optional<bool> advanceTrial(std::uint32_t slot);
+
+  std::uint32_t newest_ = 0;    // last tick observed
+  std::uint32_t grounded_ = 0;  // last tick from which the fall is counted
+  FallLaps laps_;
+  bool isEndless_ = false;            // what the last trials have told
+  std::optional<std::uint8_t> held_;  // buttons that are or were tried out
+  std::optional<Game> trial_;         // while one runs
+  FallLaps trialLaps_;
+  std::vector<Input> inputs_;  // of each tick of the trial
+};
+
+}  // namespace platon

@@ -1,0 +1,192 @@
+#include "client/netcode/endless_fall.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/levels/shipped_level.h"
+#include "tests/support/files.h"
+#include "tests/support/test_level.h"
+
+namespace platon::endless_fall_test {
+namespace {
+
+int lapsOf(std::initializer_list<std::uint32_t> faces) {
+  FallLaps laps;
+  for (const std::uint32_t face : faces) laps.enter(face);
+  return laps.count();
+}
+
+TEST(FallLaps, ALapEndsOnAFaceOfItAfterFourOrMore) {
+  EXPECT_EQ(lapsOf({0, 1, 5, 3}), 0);
+  EXPECT_EQ(lapsOf({0, 1, 5, 3, 0}), 1);
+  EXPECT_EQ(lapsOf({2, 0, 1, 5, 3, 0}), 1) << "the face that was left is not on the way round";
+  EXPECT_EQ(lapsOf({0, 0, 1, 1, 5, 5, 3, 3, 0, 0}), 1) << "a tick on the same face";
+  EXPECT_EQ(lapsOf({0, 1, 5, 3, 0, 1, 5, 3}), 1);
+  EXPECT_EQ(lapsOf({0, 1, 5, 3, 0, 1, 5, 3, 0, 1, 5, 3, 0}), 3);
+}
+
+TEST(FallLaps, RoundACornerAndOverAnEdgeAndBackIsNoLap) {
+  EXPECT_EQ(lapsOf({0, 1, 2, 0, 1, 2, 0, 1, 2}), 0);
+  EXPECT_EQ(lapsOf({0, 1, 0, 1, 0, 1}), 0);
+}
+
+// A cube whose player begins in the air, in the middle of face 0, with one segment or none. Below face 0 are face 5,
+// face 2 and face 4.
+std::shared_ptr<const Level> airLevel(int face = 0, const std::string& segment = "") {
+  std::string text = "HEXAHEDRON\n0 0 0 0\n4 200 200\n480\n";
+  for (int i = 0; i < 6; ++i) text += "%\n" + (i == face ? segment + "\n" : "");
+  const LevelResult result = loadLevel(text);
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return result.level;
+}
+
+class EndlessFallTest : public testing::Test {
+ protected:
+  void begin(const std::shared_ptr<const Level>& level) {
+    game_.emplace(level);
+    fall_ = {};
+    play(0);
+  }
+
+  void play(std::uint8_t buttons, std::uint32_t ticks = 1) {
+    inputs_[0] = {static_cast<std::uint8_t>(buttons | Input::kPresent)};
+    for (std::uint32_t tick = 0; tick < ticks; ++tick) {
+      game_->advance(inputs_);
+      fall_.observe(game_->tick(), *game_, 0);
+    }
+  }
+
+  // Plays until it is so. Returns the ticks that this took; `limit` if it is not so until then.
+  template <class Condition>
+  std::uint32_t playUntil(std::uint8_t buttons, std::uint32_t limit, Condition condition) {
+    for (std::uint32_t ticks = 0; ticks < limit; ++ticks) {
+      if (condition()) return ticks;
+      play(buttons);
+    }
+    return limit;
+  }
+
+  std::uint32_t crossings() const { return game_->world().entities()[0].crossings; }
+  bool stands() const { return game_->player(0).ground != Point(); }
+
+  std::optional<Game> game_;
+  EndlessFall fall_;
+  std::vector<Input> inputs_ = std::vector<Input>(1);
+};
+
+TEST_F(EndlessFallTest, ItIsToldWithinOneAndAHalfSeconds) {
+  for (const std::uint8_t buttons : {std::uint8_t{0}, Input::kLeft, Input::kRight, Input::kDown}) {
+    begin(airLevel());
+    const std::uint32_t ticks = playUntil(buttons, 200, [&] { return fall_.needsHint(); });
+    EXPECT_GE(ticks, EndlessFall::kPatience) << int{buttons};
+    EXPECT_LE(ticks, 90u) << int{buttons};
+    EXPECT_LT(crossings(), 4u) << "within the first lap";
+  }
+}
+
+TEST_F(EndlessFallTest, TheRestartIsNeededAfterTheThirdLap) {
+  begin(airLevel());
+  playUntil(0, 3000, [&] { return fall_.needsRestart(); });
+  EXPECT_EQ(crossings(), 12u) << "four faces a lap";
+}
+
+TEST_F(EndlessFallTest, AFallThatLandsIsNotToldHoweverLongItIs) {
+  begin(airLevel(4, "-240 -100 240 -100"));
+  const std::uint32_t ticks = playUntil(0, 1000, [&] { return stands() || fall_.needsHint(); });
+  EXPECT_TRUE(stands());
+  EXPECT_GT(ticks, 4 * EndlessFall::kPatience);
+  EXPECT_EQ(crossings(), 3u);
+}
+
+// Without the key, this fall does not land.
+TEST_F(EndlessFallTest, AFallThatLandsBecauseAKeyIsHeldIsNotTold) {
+  begin(airLevel(3, "-100 -240 -100 240"));
+  EXPECT_LT(playUntil(0, 100, [&] { return fall_.needsHint(); }), 100u);
+  begin(airLevel(3, "-100 -240 -100 240"));
+  playUntil(Input::kRight, 1000, [&] { return stands() || fall_.needsHint(); });
+  EXPECT_TRUE(stands());
+}
+
+// With the key held, this fall does not land; for a while, it does when the player lets go.
+TEST_F(EndlessFallTest, AFallThatLandsWithoutAKeyIsNotToldUntilItIsTooLate) {
+  begin(airLevel(0, "-100 -240 -100 240"));
+  EXPECT_GT(playUntil(Input::kRight, 1000, [&] { return stands() || fall_.needsHint(); }), 100u);
+  EXPECT_TRUE(fall_.needsHint());
+  EXPECT_LT(crossings(), 8u) << "before the second lap is over";
+}
+
+TEST_F(EndlessFallTest, TheHintGoesWhenAKeyIsPressedThatMakesTheFallLand) {
+  begin(airLevel(4, "-100 -240 -100 240"));
+  play(0, 90);
+  ASSERT_TRUE(fall_.needsHint());
+  EXPECT_LT(playUntil(Input::kRight, 100, [&] { return !fall_.needsHint(); }), 20u);
+}
+
+TEST_F(EndlessFallTest, TheHintGoesOnceThePlayerRestartsOrLeaves) {
+  for (const Input end : {Input{Input::kPresent | Input::kRestart}, Input{}}) {
+    begin(airLevel());
+    play(0, 100);
+    ASSERT_TRUE(fall_.needsHint());
+    game_->advance(std::vector{end});
+    fall_.observe(game_->tick(), *game_, 0);
+    EXPECT_FALSE(fall_.needsHint()) << int{end.buttons};
+  }
+}
+
+// Who has touched the goal may fall as it likes.
+TEST_F(EndlessFallTest, WhoHasArrivedNeedsNoHint) {
+  const LevelResult result = loadLevel("HEXAHEDRON\n0 0 0 0\n0 0 -60\n480\n%\n%\n%\n%\n%\n%\n");
+  ASSERT_TRUE(result.level);
+  begin(result.level);
+  playUntil(0, 3000, [&] { return fall_.needsHint(); });
+  EXPECT_EQ(game_->player(0).arrived, 1);
+  EXPECT_GT(crossings(), 30u);
+  EXPECT_FALSE(fall_.needsHint());
+}
+
+TEST_F(EndlessFallTest, ReplayedTicksAreIgnored) {
+  begin(airLevel());
+  play(0, 100);
+  ASSERT_TRUE(fall_.needsHint());
+  Game standing(flatLevel());
+  for (int tick = 0; tick < 50; ++tick) standing.advance(inputs_);
+  ASSERT_NE(standing.player(0).ground, Point());
+  fall_.observe(game_->tick(), standing, 0);
+  EXPECT_TRUE(fall_.needsHint());
+  fall_.observe(game_->tick() + 1, standing, 0);
+  EXPECT_FALSE(fall_.needsHint());
+}
+
+// A player who joins is observed late: what was before is not known.
+TEST_F(EndlessFallTest, CountsFromTheFirstObservation) {
+  begin(airLevel());
+  for (int tick = 0; tick < 500; ++tick) game_->advance(inputs_);
+  fall_ = {};
+  play(0, EndlessFall::kPatience);
+  EXPECT_FALSE(fall_.needsHint());
+}
+
+// "R: back to the start" showed during the falls of levels 26 and 32 that lead to the goal.
+TEST(EndlessFallOnTheWays, TheHintNeverShowsOnARecordedWay) {
+  for (const std::string& file : shippedLevels()) {
+    const ShippedLevel shipped(file);
+    ASSERT_TRUE(shipped.isRecordedAsItIs()) << file;
+    Game game(shipped.level());
+    std::vector<EndlessFall> falls(shipped.way().front().size());
+    for (const std::vector<Input>& inputs : shipped.way()) {
+      game.advance(inputs);
+      for (std::uint32_t slot = 0; slot < falls.size(); ++slot) {
+        falls[slot].observe(game.tick(), game, slot);
+        ASSERT_FALSE(falls[slot].needsHint()) << file << ", tick " << game.tick();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon::endless_fall_test
