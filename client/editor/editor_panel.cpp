@@ -28,7 +28,7 @@ constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "t
                                                             {"Shift", "only straight ways"},
                                                             {"+  -", "grid"},
                                                             {"X, Shift+X", "next, previous word"},
-                                                            {"0 … 9", "number of the word, edge of up"},
+                                                            {"0 … 9", "number; of up: the top edge"},
                                                             {"F", "flip the direction"},
                                                             {"Delete", "erase the selected segment"},
                                                             {"Ctrl+Z, Ctrl+Y", "undo, redo"},

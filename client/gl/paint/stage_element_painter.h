@@ -14,7 +14,7 @@ namespace platon {
 /// Draws what is flat of the elements of a level. With elementWallsOf(), each kind has a pattern of its own, so that
 /// colour is never the only sign:
 ///   oneway      a thin ledge; chevrons on the right side, from which it lets pass, point through it, and light fades
-///   up          blocks with arrows that point to its edge; low and dim while it does not block the local player
+///   up          blocks with arrows that point to its edge; flat and hollow while it does not block the local player
 ///   hazard      a zigzag
 ///   checkpoint  dashes and a flag, which is filled where the local player returns to it
 ///   key         dots, and a key with its number; nothing once it is taken

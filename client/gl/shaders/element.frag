@@ -74,15 +74,18 @@ void oneway() {
   paint(chevrons(-3.9), kWall, 0.50);
 }
 
+// What blocks is filled, what lets pass is hollow: the blocks, which are walls only while they block, and the arrows.
 void upwards() {
+  float outline = max(0.25, 0.8 * pixel);
+  paint(abs(dashes(4.0, 0.66, 0.5)) - outline, kBlue, 0.7 * (1.0 - state));
   vec2 aim = vec2(dot(towards, direction), dot(towards, vec2(-direction.y, direction.x)));
   vec2 aside = vec2(-aim.y, aim.x);
   vec2 head = vec2(nearest(24.0), 0) + 4.0 * aim;
-  vec2 back = head - 2.4 * aim;
-  float arrow = rod(at, head - 7.0 * aim, head, 0.4);
-  arrow = min(arrow, min(rod(at, back + 1.9 * aside, head, 0.4), rod(at, back - 1.9 * aside, head, 0.4)));
-  paint(arrow - 0.35, kDark, 0.75 * state);
-  paint(arrow, kBlue, mix(0.35, 1.0, state));
+  vec2 back = head - 3.0 * aim;
+  float arrow = min(rod(at, head - 7.0 * aim, back, 0.7), triangle(at, head, back + 2.2 * aside, back - 2.2 * aside));
+  paint(arrow - 0.6, kDark, 0.75);
+  paint(arrow, kBlue, state);
+  paint(abs(arrow) - outline, kBlue, 1.0);
 }
 
 void hazard() {

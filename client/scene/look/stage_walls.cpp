@@ -11,7 +11,7 @@ namespace platon {
 namespace {
 
 constexpr double kWidth = StageModel::kRibbonWidth;
-constexpr double kLow = 1.5;        // height of what is open, level units
+constexpr double kLow = 3;          // height of an open door, level units
 constexpr double kLedge = 4;        // height of a oneway
 constexpr double kFence = 8;        // height of a hazard
 constexpr double kMaxPieces = 256;  // of an element
@@ -51,13 +51,14 @@ class ElementWalls {
 
   double pieces(double gap) const { return std::clamp(std::floor(length_ / gap), 1.0, kMaxPieces); }
 
+  // What lets pass is hollow, and no wall.
   void addBlocks() {
+    if (active_ <= 0) return;
     const double count = pieces(4 * kWidth);
     const double gap = length_ / count;
     const double half = std::max(0.33 * gap - kWidth / 2, 0.0);
     for (double i = 0.5; i < count; ++i) {
-      addRod({i * gap - half, 0}, {i * gap + half, 0}, glm::mix(kWidth / 4, kWidth / 2, active_),
-             glm::mix(kLow, Wall::kHeight, active_), kBlue);
+      addRod({i * gap - half, 0}, {i * gap + half, 0}, kWidth / 2, active_ * Wall::kHeight, kBlue);
     }
   }
 
@@ -73,7 +74,7 @@ class ElementWalls {
 
   void addRails() {
     const double leaf = glm::mix(std::min(2.5 * kWidth, length_ / 2), length_ / 2, active_);
-    const double height = glm::mix(2 * kLow, Wall::kHeight, active_);
+    const double height = glm::mix(kLow, Wall::kHeight, active_);
     for (const double side : {-kWidth, kWidth}) {
       if (active_ >= 1) {
         addRod({0, side}, {length_, side}, 0.4 * kWidth, height, kGold);

@@ -19,7 +19,7 @@ constexpr double kNearElement = 2.0 * kPlayerRadius;              // from the ba
 // In the order of kElementKinds. A level with doors has keys or plates, which tell of them.
 constexpr std::array<std::string_view, kElementKinds.size()> kHints = {
     "A ledge with arrows lets you pass the way they point",
-    "A block with an arrow is solid only while its arrow points up on the screen",
+    "A block is filled and solid while its arrow points to the top edge of the face, or the left one of two",
     "A zigzag sends you back to the start, or to your last flag",
     "Touch a flag, and a zigzag sends you back only to there",
     "A key opens all doors with its number",

@@ -56,10 +56,12 @@ TEST(StageWalls, WhatDoesNotBlockIsLow) {
   for (const char* word : {"checkpoint", "key 5"}) EXPECT_TRUE(wallsOfElement(word).active.empty()) << word;
 }
 
+TEST(StageWalls, AnUpThatLetsPassIsNoWall) { EXPECT_TRUE(wallsOfElement("up 2").open.empty()); }
+
 TEST(StageWalls, WhatOpensIsBetweenItsStatesMeanwhile) {
   for (const char* word : {"up 2", "door 5", "plate 5"}) {
     const Walls walls = wallsOfElement(word);
-    const auto heightOf = [](const std::vector<Wall>& all) { return all.back().height; };
+    const auto heightOf = [](const std::vector<Wall>& all) { return all.empty() ? 0 : all.back().height; };
     EXPECT_NEAR(heightOf(walls.between), (heightOf(walls.active) + heightOf(walls.open)) / 2, 1e-9) << word;
   }
 }
