@@ -12,7 +12,7 @@
 
 namespace platon {
 
-/// Reads `192.0.2.1:9100` or `[2001:db8::1]:9100`; port 0 … 65535. Nothing if the text is no such address.
+/// Reads `192.0.2.1:19777` or `[2001:db8::1]:19777`; port 0 … 65535. Nothing if the text is no such address.
 std::optional<SocketAddress> parseSocketAddress(std::string_view text);
 
 /// Answers `GET /metrics` over HTTP. Never waits.

@@ -128,7 +128,7 @@ const std::array kOptions{
                  .field = &ServerOptions::metrics,
                  .help = "TCP address that answers GET /metrics for Prometheus",
                  .whenEmpty = "no metrics",
-                 .mustBe = "an address and a port, such as 127.0.0.1:9100 or [::1]:9100",
+                 .mustBe = "an address and a port, such as 127.0.0.1:19777 or [::1]:19777",
                  .accepts = &isSocketAddress},
     ServerOption{.name = "drain",
                  .placeholder = "SECONDS",

@@ -54,7 +54,7 @@ own_steps() {
   for _ in 1 2 3 4 5 6; do killed SEGV; done
 
   step 'another server runs beside it'
-  sed -e 's,\(run\|lib\)/platon/,&second/,' -e 's/^port = .*/port = 7778/' -e 's/:9100"/:9101"/' -e '/^announce/d' \
+  sed -e 's,\(run\|lib\)/platon/,&second/,' -e 's/^port = .*/port = 7778/' -e 's/:19777"/:19778"/' -e '/^announce/d' \
     /etc/platon/server.toml >/etc/platon/second.toml
   systemctl enable --now platon-server@second || fails 'the second server does not start'
   console <<<status >/dev/null || fails 'the first server is gone'

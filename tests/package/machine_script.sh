@@ -76,7 +76,7 @@ all_steps() {
   step 'console, metrics and reload work'
   console <<<'ban 203.0.113.7 1h' || fails 'the console does not answer'
   until_true grep -q 203.0.113.7 /var/lib/platon/bans
-  wget -qO- http://127.0.0.1:9100/metrics | grep -q '^platon_bans 1$' || fails 'the metrics count no ban'
+  wget -qO- http://127.0.0.1:19777/metrics | grep -q '^platon_bans 1$' || fails 'the metrics count no ban'
   set_key name Reloaded
   reload_server
   until_true logged 'configuration and levels reloaded'

@@ -64,12 +64,12 @@ class MetricsServerTest : public testing::Test {
 };
 
 TEST(SocketAddressText, IsAnAddressAndAPort) {
-  EXPECT_EQ(address("127.0.0.1:9100").text(), "127.0.0.1:9100");
+  EXPECT_EQ(address("127.0.0.1:19777").text(), "127.0.0.1:19777");
   EXPECT_EQ(address("[::1]:0").text(), "[::1]:0");
   EXPECT_EQ(address("[2001:db8::1]:65535").text(), "[2001:db8::1]:65535");
-  for (const std::string text : {"", ":", "9100", "127.0.0.1", "127.0.0.1:", ":9100", "::1:9100", "[::1]",
-                                 "[::1]:", "[127.0.0.1]:1", "localhost:9100", "127.0.0.1:65536", "127.0.0.1:-1",
-                                 "127.0.0.1:+1", "127.0.0.1:1x", "[::1:9100", "[]:1", "127.0.0.1 :1"}) {
+  for (const std::string text : {"", ":", "19777", "127.0.0.1", "127.0.0.1:", ":19777", "::1:19777", "[::1]",
+                                 "[::1]:", "[127.0.0.1]:1", "localhost:19777", "127.0.0.1:65536", "127.0.0.1:-1",
+                                 "127.0.0.1:+1", "127.0.0.1:1x", "[::1:19777", "[]:1", "127.0.0.1 :1"}) {
     EXPECT_FALSE(parseSocketAddress(text)) << text;
   }
   EXPECT_FALSE(parseSocketAddress(std::string_view("127.0.0.1\0:1", 12)));

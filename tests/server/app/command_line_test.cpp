@@ -49,7 +49,7 @@ TEST(CommandLine, ItsOptionsOverrideTheFile) {
       file,
       "levels = [\"a.level\", \"/b.level\"]\nport = 1234\nmax-players = 5\nmax-per-address = 6\n"
       "bind = \"127.0.0.1\"\nname = \"Ours\"\nlog-format = \"json\"\nrecord = \"games\"\nban-file = \"bans.txt\"\n"
-      "socket = \"s\"\nmetrics = \"127.0.0.1:9100\"\n");
+      "socket = \"s\"\nmetrics = \"127.0.0.1:19777\"\n");
   const ServerOptions fromFile{{folder / "a.level", "/b.level"},
                                "127.0.0.1",
                                1234,
@@ -60,7 +60,7 @@ TEST(CommandLine, ItsOptionsOverrideTheFile) {
                                folder / "games",
                                folder / "bans.txt",
                                folder / "s",
-                               "127.0.0.1:9100"};
+                               "127.0.0.1:19777"};
   EXPECT_EQ(read({"--config", file.c_str()}), fromFile);
   const ServerOptions both{{"c.level"}, "127.0.0.2",      1,        7,        8, "Mine", LogFormat::kText,
                            "rounds",    "other_bans.txt", "/run/s", "[::1]:0"};
@@ -118,7 +118,7 @@ TEST(CommandLine, EveryErrorIsOneLine) {
                                                     {"--bind", "here"},
                                                     {"--bind", ""},
                                                     {"--log-format", "xml"},
-                                                    {"--metrics", "9100"},
+                                                    {"--metrics", "19777"},
                                                     {"--config", "/no/such/file"},
                                                     {"--port"}}) {
     const std::string error = errorOf(arguments);
@@ -130,8 +130,8 @@ TEST(CommandLine, EveryErrorIsOneLine) {
 TEST(CommandLine, ErrorsNameTheOptionAndWhatItMustBe) {
   const std::string help = " (see platon-server --help)";
   EXPECT_EQ(errorOf({"--port", "70000"}), "--port must be a whole number from 0 to 65535" + help);
-  EXPECT_EQ(errorOf({"--metrics", "9100"}),
-            "--metrics must be an address and a port, such as 127.0.0.1:9100 or [::1]:9100" + help);
+  EXPECT_EQ(errorOf({"--metrics", "19777"}),
+            "--metrics must be an address and a port, such as 127.0.0.1:19777 or [::1]:19777" + help);
 }
 
 TEST(CommandLine, TheErrorsOfAFileAreCounted) {

@@ -125,7 +125,7 @@ TEST_F(ConfigCheckTest, ReportsAKeyAndAPasswordThatTheServerWouldRefuse) {
 // 198.51.100.1 is an address for documents.
 TEST_F(ConfigCheckTest, ReportsAddressesThatTheMachineDoesNotHave) {
   const ConfigCheck check =
-      this->check("bind = \"198.51.100.1\"\nmetrics = \"198.51.100.1:9100\"\nsocket = \"missing/console\"\n");
+      this->check("bind = \"198.51.100.1\"\nmetrics = \"198.51.100.1:19777\"\nsocket = \"missing/console\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   const std::vector<std::string> errors{
       "cannot listen on 198.51.100.1: Cannot assign requested address; choose an address of this machine after --bind, "

@@ -43,10 +43,10 @@ TEST_F(ConfigFileTest, ReadsEveryKey) {
                                folder_ / "games",
                                folder_ / "bans.txt",
                                "/run/s",
-                               "[::1]:9100"};
+                               "[::1]:19777"};
   EXPECT_EQ(read("levels = [\"a.level\", \"/b.level\"]\nport = 1234\nmax-players = 5\nmax-per-address = 6\n"
                  "bind = \"127.0.0.1\"\nname = \"Ours\"\nlog-format = \"json\"\nrecord = \"games\"\n"
-                 "ban-file = \"bans.txt\"\nsocket = \"/run/s\"\nmetrics = \"[::1]:9100\"\n"),
+                 "ban-file = \"bans.txt\"\nsocket = \"/run/s\"\nmetrics = \"[::1]:19777\"\n"),
             expected);
 }
 
@@ -95,8 +95,8 @@ TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
   EXPECT_EQ(errorOf("bind = \"here\""),
             ":1:8: error: bind must be an IP address of this machine, such as 127.0.0.1 or ::, without a zone such as "
             "%eth0");
-  EXPECT_EQ(errorOf("metrics = \"9100\""),
-            ":1:11: error: metrics must be an address and a port, such as 127.0.0.1:9100 or [::1]:9100");
+  EXPECT_EQ(errorOf("metrics = \"19777\""),
+            ":1:11: error: metrics must be an address and a port, such as 127.0.0.1:19777 or [::1]:19777");
   EXPECT_EQ(errorOf("[port]\n"), ":1:1: error: port must be a whole number from 0 to 65535");
 }
 

@@ -120,7 +120,7 @@ TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
        "platon-server: cannot write recordings to '" + level_ +
            "/games': the folder cannot be created: Not a directory; name another folder");
   ends({"/no/such.level"}, 2, "platon-server: cannot read the level '/no/such.level'");
-  ends({level_, "--metrics", "9100"}, 2, "platon-server: --metrics must be an address and a port, such as ");
+  ends({level_, "--metrics", "19777"}, 2, "platon-server: --metrics must be an address and a port, such as ");
   ends({level_, "--port", "0", "--ban-file", "/no/such/bans"}, 2,
        "platon-server: /no/such/bans: error: No such file or directory; name a readable ban file");
   ends({level_, "--port", "0", "--socket", level_}, 2,
