@@ -8,6 +8,11 @@
 #include "protocol/files/blocked_signals.h"
 
 namespace platon {
+namespace {
+
+constexpr const char* kSilence = "the disk does not answer";
+
+}  // namespace
 
 FileWriter::FileWriter(std::string path, Start start, Replace replace)
     : path_(std::move(path)), start_(std::move(start)), replace_(std::move(replace)) {}
@@ -26,16 +31,23 @@ void FileWriter::write(std::string content) {
 }
 
 std::optional<std::string> FileWriter::poll(Time now) {
-  std::string fault;
-  if (writing_.valid()) {
-    if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-    fault = takeResult();
-  }
-  if (fault.empty() && queued_ && now >= retryAt_) fault = start();
+  const std::string fault = check(now);
   if (fault.empty()) return std::nullopt;
-  retryAt_ = now + kRetryInterval;
+  ++failures_;
+  retryAt_ = answerBy_ = now + kRetryInterval;
   if (fault == reported_) return std::nullopt;
   return reported_ = fault;
+}
+
+// Takes a result, and starts the write that is due. Returns what has failed now, or an empty text.
+std::string FileWriter::check(Time now) {
+  if (writing_.valid()) {
+    if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return now < answerBy_ ? "" : kSilence;
+    if (std::string fault = takeResult(); !fault.empty()) return fault;
+  }
+  if (!queued_ || now < retryAt_) return {};
+  answerBy_ = now + kRetryInterval;
+  return start();
 }
 
 // A write in progress may be one of an older content.
@@ -44,7 +56,7 @@ std::optional<std::string> FileWriter::finish(std::chrono::milliseconds limit) {
   while (pending_) {
     std::string fault = writing_.valid() ? "" : start();
     if (fault.empty()) {
-      if (writing_.wait_for(limit) != std::future_status::ready) return "the disk does not answer";
+      if (writing_.wait_for(limit) != std::future_status::ready) return kSilence;
       fault = takeResult();
     }
     if (!fault.empty()) return fault;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <optional>
@@ -37,19 +38,24 @@ class FileWriter {
   /// Queues a content for the file. It replaces one that is still queued.
   void write(std::string content);
   /// Starts to write what is queued if no other write is in progress. Call now and then. Returns why the last content
-  /// could not be written; of the same content, each reason once in a row.
+  /// could not be written, or that the disk has not answered for kRetryInterval; of the same content, each reason once
+  /// in a row.
   std::optional<std::string> poll(Time now);
   /// Tries once to write what is pending, and waits for at most `limit` for a write in progress and then for its own.
   /// Returns why the file does not hold the last content; nothing if it does.
   std::optional<std::string> finish(std::chrono::milliseconds limit = kFinishTime);
   /// Whether the newest content is not in the file yet, perhaps because it could not be written.
   bool pending() const { return pending_; }
+  /// How many failures `poll` has seen so far: writes that failed, and each kRetryInterval without an answer of the
+  /// disk.
+  std::uint64_t failures() const { return failures_; }
 
   static void startThread(std::function<void()> task);
 
  private:
   std::string start();
   std::string takeResult();
+  std::string check(Time now);
 
   std::string path_;
   Start start_;
@@ -60,7 +66,9 @@ class FileWriter {
   bool finished_ = false;             // `finish` was called after the last `write`
   std::future<std::string> writing_;  // the reason of a failure, or empty
   std::string reported_;              // the last reason
-  Time retryAt_{};
+  std::uint64_t failures_ = 0;
+  Time retryAt_{};   // when to try again what has failed
+  Time answerBy_{};  // when a write in progress counts as failed
 };
 
 }  // namespace platon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ class BanStore {
 
   /// Whether a change is not in the file yet.
   bool pending() const { return file_ && file_->pending(); }
+  /// How often the file could not be written so far (FileWriter::failures).
+  std::uint64_t failures() const { return file_ ? file_->failures() : 0; }
 
   /// Call now and then: starts to write the file, again after a failure. Returns, once, why the bans could not be
   /// written.

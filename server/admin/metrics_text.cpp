@@ -59,6 +59,11 @@ class Writer {
   std::string text_;
 };
 
+void writeStart(Writer& writer, const Metrics& metrics) {
+  writer.begin("process_start_time_seconds", "gauge", "Start of the program, in seconds since 1970 (UTC).");
+  writer.sample("process_start_time_seconds", {}, std::to_string(metrics.startedAt.time_since_epoch().count()));
+}
+
 void writePlayers(Writer& writer, const Metrics& metrics) {
   writer.begin("platon_info", "gauge", "Version and name of the server; always 1.");
   writer.sample("platon_info", {{"version", metrics.version}, {"name", metrics.serverName}}, "1");
@@ -71,13 +76,15 @@ void writePlayers(Writer& writer, const Metrics& metrics) {
 
 void writeTicks(Writer& writer, const Metrics& metrics) {
   writer.begin("platon_tick_seconds", "summary",
-               "Time that a tick takes. The quantiles are of the last one to two minutes of play.");
+               "Time that a tick takes. The quantiles are of the last one to two minutes, 0 without ticks.");
   writer.sample("platon_tick_seconds", {{"quantile", "0.5"}}, secondsOf(metrics.tickP50Us));
   writer.sample("platon_tick_seconds", {{"quantile", "0.99"}}, secondsOf(metrics.tickP99Us));
   writer.sample("platon_tick_seconds_sum", {}, secondsOf(metrics.tickSumUs));
   writer.sample("platon_tick_seconds_count", {}, std::to_string(metrics.tickCount));
-  writer.begin("platon_tick_max_seconds", "gauge", "Longest tick of the last one to two minutes of play.");
+  writer.begin("platon_tick_max_seconds", "gauge", "Longest tick of the last one to two minutes, 0 without ticks.");
   writer.sample("platon_tick_max_seconds", {}, secondsOf(metrics.tickMaxUs));
+  writer.single("platon_dropped_ticks_total", "counter",
+                "Ticks that were dropped because the server was stopped or too slow.", metrics.droppedTicks);
 }
 
 void writeTraffic(Writer& writer, const Metrics& metrics) {
@@ -93,13 +100,25 @@ void writeTraffic(Writer& writer, const Metrics& metrics) {
   }
 }
 
+void writeFiles(Writer& writer, const Metrics& metrics) {
+  writer.single("platon_stopped_recordings_total", "counter", "Recordings that could not be written to their end.",
+                metrics.stoppedRecordings);
+  writer.single("platon_unwritten_bans_total", "counter",
+                "How often the ban file could not be written; it is tried every 10 s.", metrics.unwrittenBans);
+  writer.single("platon_unwritten_best_times_total", "counter",
+                "How often the file of the best times could not be written; it is tried every 10 s.",
+                metrics.unwrittenBestTimes);
+}
+
 }  // namespace
 
 std::string formatMetrics(const Metrics& metrics) {
   Writer writer;
+  writeStart(writer, metrics);
   writePlayers(writer, metrics);
   writeTicks(writer, metrics);
   writeTraffic(writer, metrics);
+  writeFiles(writer, metrics);
   return writer.take();
 }
 

@@ -164,7 +164,7 @@ void DedicatedServer::step(TimePoint now) {
   if (!ticks) return;
   const std::chrono::nanoseconds time = steadyNow() - begun;
   tickTimes_.add(time);
-  recentTickTimes_.add(time);
+  recentTickTimes_.add(now, time);
 }
 
 void DedicatedServer::receive(TimePoint now) {
@@ -247,7 +247,10 @@ void DedicatedServer::writeRecordings() {
   for (RecordingPiece& piece : match_.takeRecording()) {
     recordings_->write(std::move(piece), std::chrono::system_clock::now());
   }
-  for (const RecordingEvent& event : recordings_->takeEvents()) write(log_, event);
+  for (const RecordingEvent& event : recordings_->takeEvents()) {
+    write(log_, event);
+    stoppedRecordings_ += event.kind == RecordingEvent::Kind::kStopped ? 1 : 0;
+  }
 }
 
 void DedicatedServer::finishRecordings() {
@@ -284,9 +287,9 @@ void DedicatedServer::logRejected(TimePoint now) {
 // A server that is always too slow says so at times, not in every tick.
 void DedicatedServer::logDropped(TimePoint now) {
   droppedTicks_ += clock_.takeDropped();
-  if (droppedTicks_ == 0 || now < nextDroppedLogAt_) return;
+  if (droppedTicks_ == loggedDroppedTicks_ || now < nextDroppedLogAt_) return;
   nextDroppedLogAt_ = now + kRejectedLogInterval;
-  log_.warning("ticks dropped", {{"ticks", std::exchange(droppedTicks_, 0)}});
+  log_.warning("ticks dropped", {{"ticks", droppedTicks_ - std::exchange(loggedDroppedTicks_, droppedTicks_)}});
 }
 
 std::vector<Rejection> DedicatedServer::rejections() const {

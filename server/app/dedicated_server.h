@@ -89,7 +89,14 @@ class DedicatedServer {
   const Host& host() const { return host_; }
   /// Durations of the steps that ran a tick: receiving, advancing the game, sending.
   const TickTimes& tickTimes() const { return tickTimes_; }
-  TickTimes recentTickTimes() const { return recentTickTimes_.all(); }
+  /// The same of the last one to two minutes by the clock of `run`.
+  TickTimes recentTickTimes() const { return recentTickTimes_.all(now_()); }
+  /// Ticks that were dropped so far, because the server was stopped or too slow.
+  std::uint64_t droppedTicks() const { return droppedTicks_; }
+  /// Recordings that could not be written to their end so far.
+  std::uint64_t stoppedRecordings() const { return stoppedRecordings_; }
+  /// How often the best times could not be written so far.
+  std::uint64_t unwrittenBestTimes() const { return bestTimes_.failures(); }
   /// Games of clients that differed from the server's so far.
   std::uint64_t desyncs() const { return desyncs_; }
 
@@ -117,6 +124,7 @@ class DedicatedServer {
   ServerIdentity identity_;
   Host host_;
   std::optional<RecordingWriter> recordings_;
+  std::uint64_t stoppedRecordings_ = 0;
   std::string bestTimeFile_;
   BestTimeStore bestTimes_;
   bool bestTimesUnwritten_ = false;  // the log says so
@@ -131,7 +139,8 @@ class DedicatedServer {
   bool flooded_ = false;                  // many datagrams came between the last two ticks
   std::vector<Rejection> logged_;         // at the last logRejected
   TimePoint nextLogAt_;
-  std::uint64_t droppedTicks_ = 0;  // since the last logDropped that said so
+  std::uint64_t droppedTicks_ = 0;
+  std::uint64_t loggedDroppedTicks_ = 0;  // of these, those that the log tells
   TimePoint nextDroppedLogAt_{};
   TickTimes tickTimes_;
   RecentTickTimes recentTickTimes_;

@@ -1,32 +1,41 @@
 #pragma once
 
 #include <chrono>
-#include <utility>
+#include <cstdint>
 
-#include "platon/game/game.h"
 #include "server/app/tick_times.h"
+#include "server/net/time_point.h"
 
 namespace platon {
 
-/// Durations of the last ticks: at least kMinTicks of them if there were so many, and fewer than twice as many.
+/// Durations of the ticks of the last minute, and of at most one more. Those of a server that nobody plays on any more
+/// end with the time, not with the next ticks. Times never decrease.
 class RecentTickTimes {
  public:
-  static constexpr std::uint64_t kMinTicks = 60 * kTicksPerSecond;
+  static constexpr std::chrono::minutes kMinAge{1};
 
-  void add(std::chrono::nanoseconds time) {
-    if (current_.count() == kMinTicks) previous_ = std::exchange(current_, {});
+  void add(TimePoint now, std::chrono::nanoseconds time) {
+    const std::int64_t minute = minuteOf(now);
+    if (minute != minute_) previous_ = minute == minute_ + 1 ? current_ : TickTimes();
+    if (minute != minute_) current_ = TickTimes();
+    minute_ = minute;
     current_.add(time);
   }
 
-  TickTimes all() const {
-    TickTimes both = previous_;
-    both.add(current_);
-    return both;
+  TickTimes all(TimePoint now) const {
+    const std::int64_t passed = minuteOf(now) - minute_;
+    TickTimes times;
+    if (passed <= 1) times.add(current_);
+    if (passed <= 0) times.add(previous_);
+    return times;
   }
 
  private:
-  TickTimes previous_;
-  TickTimes current_;
+  static std::int64_t minuteOf(TimePoint now) { return now.time_since_epoch() / kMinAge; }
+
+  std::int64_t minute_ = 0;  // of the last tick
+  TickTimes current_;        // in this minute
+  TickTimes previous_;       // in the minute before
 };
 
 }  // namespace platon

@@ -25,11 +25,14 @@ Metrics metricsOf(const DedicatedServer& server) {
   metrics.tickP50Us = recent.quantile(0.5);
   metrics.tickP99Us = recent.quantile(0.99);
   metrics.tickMaxUs = recent.longest();
+  metrics.droppedTicks = server.droppedTicks();
   metrics.missedInputs = server.match().missedInputs();
   metrics.desyncs = server.desyncs();
   metrics.receivedBytes = server.host().gate().traffic().receivedBytes;
   metrics.sentBytes = server.host().gate().traffic().sentBytes;
   metrics.drops = dropsOf(server);
+  metrics.stoppedRecordings = server.stoppedRecordings();
+  metrics.unwrittenBestTimes = server.unwrittenBestTimes();
   return metrics;
 }
 

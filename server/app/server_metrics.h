@@ -7,7 +7,8 @@
 
 namespace platon {
 
-/// The metrics of a server, without those that it does not know: its name, the limit of players and the number of bans.
+/// The metrics of a server, without those that it does not know: when it started, its name, the limit of players, and
+/// what concerns the bans.
 Metrics metricsOf(const DedicatedServer& server);
 
 }  // namespace platon

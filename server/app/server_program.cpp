@@ -289,7 +289,9 @@ std::string ServerProgram::metricsText() const {
   Metrics metrics = metricsOf(server_);
   metrics.serverName = options_.name;
   metrics.maxPlayers = options_.maxPlayers;
+  metrics.startedAt = startTime_;
   metrics.bans = bans_.list().size();
+  metrics.unwrittenBans = bans_.failures();
   return formatMetrics(metrics);
 }
 

@@ -83,6 +83,7 @@ class ServerProgram {
   std::string whyNoConsole_;
   std::unique_ptr<MetricsServer> metricsServer_;  // null: none
   TimePoint startedAt_;
+  UtcTime startTime_ = utcNow();  // the same by the calendar
   TimePoint nextPollAt_{};
   bool bansUnwritten_ = false;  // the log says so
   bool stopping_ = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -38,6 +39,8 @@ class BestTimeStore : public BestTimeKeeper {
   const BestTimes& times() const { return times_; }
   /// Whether a time is not in the file yet.
   bool pending() const { return file_ && file_->pending(); }
+  /// How often the file could not be written so far (FileWriter::failures).
+  std::uint64_t failures() const { return file_ ? file_->failures() : 0; }
   /// Call now and then: starts to write the file, again after a failure. Returns, once, why it could not be written.
   std::optional<std::string> poll(FileWriter::Time now);
   /// Writes what is pending, as FileWriter::finish does. Returns why the times are not in the file.

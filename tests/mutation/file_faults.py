@@ -5,6 +5,9 @@ from fault import Fault, at_length
 FILES = "protocol/files/"
 
 FILE_FAULTS = [
+    at_length("silent-disk-is-waited-for", FILES + "file_writer.cpp", "return now < answerBy_ ? \"\" : kSilence;", "return {};",
+              "nobody learns that the disk does not answer",
+              "FileWriterTest.ADiskThatDoesNotAnswerIsAFailure"),
     Fault("device-taken-for-a-file", FILES + "regular_file.cpp",
           "  if (std::string fault = faultOfKind(file); !fault.empty()) return {Descriptor(), std::move(fault)};\n", "",
           "a link to /dev/zero is read as if it were a file",

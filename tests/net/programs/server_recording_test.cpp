@@ -8,6 +8,7 @@
 
 #include "tests/support/files.h"
 #include "tests/support/process.h"
+#include "tests/support/served_metrics.h"
 #include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
@@ -101,10 +102,12 @@ TEST_F(Recordings, OldOnesMakeRoom) {
 
 // A limit on the size of files acts as a full disk.
 TEST_F(Recordings, AFullDiskDoesNotEndTheMatch) {
-  startServer({"--record", folder_.string()});
+  startServer({"--record", folder_.string(), "--metrics", "127.0.0.1:0"});
   const rlimit full{1000, RLIM_INFINITY};
   ASSERT_EQ(prlimit(server().id(), RLIMIT_FSIZE, &full, nullptr), 0);
   letBotsPlay();
+  const std::string metrics = servedMetrics(server());
+  EXPECT_NE(metrics.find("\nplaton_stopped_recordings_total 1\n"), std::string::npos) << metrics;
   stopServer();
   EXPECT_NE(server().errors().find("recording stopped file="), std::string::npos) << server().errors();
   EXPECT_NE(server().errors().find("reason=\"File too large\""), std::string::npos) << server().errors();

@@ -96,6 +96,38 @@ TEST_F(FileWriterTest, TriesAgainAfterAFailureAtABoundedRate) {
   EXPECT_EQ(readText(folder_ / "sub/file"), "one");
 }
 
+TEST_F(FileWriterTest, EveryFailureIsCountedAlsoThoseThatAreNotSaidAgain) {
+  FileWriter writer(folder_ / "sub/file", [](const std::function<void()>& task) { task(); });
+  writer.write("one");
+  for (int tries = 0; tries < 3; ++tries) {
+    EXPECT_EQ(writer.failures(), static_cast<std::uint64_t>(tries));
+    writer.poll(kNow + tries * FileWriter::kRetryInterval);
+    writer.poll(kNow + tries * FileWriter::kRetryInterval);
+  }
+  EXPECT_EQ(writer.failures(), 3u);
+  std::filesystem::create_directory(folder_ / "sub");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(writer.poll(kNow + 3 * FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_FALSE(writer.pending());
+  EXPECT_EQ(writer.failures(), 3u);
+}
+
+TEST_F(FileWriterTest, ADiskThatDoesNotAnswerIsAFailure) {
+  FileWriter writer(path_, tasks_.start());
+  writer.write("one");
+  EXPECT_EQ(writer.poll(kNow), std::nullopt);
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval - 1ms), std::nullopt);
+  EXPECT_EQ(writer.failures(), 0u);
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), "the disk does not answer");
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_EQ(writer.failures(), 1u);
+  EXPECT_EQ(writer.poll(kNow + 2 * FileWriter::kRetryInterval), std::nullopt) << "it is said once";
+  EXPECT_EQ(writer.failures(), 2u);
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.poll(kNow + 2 * FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_FALSE(writer.pending());
+  EXPECT_EQ(readText(path_), "one");
+}
+
 TEST_F(FileWriterTest, TheDestructorDoesNotTryAgainAfterFinish) {
   {
     FileWriter writer(path_, tasks_.start());

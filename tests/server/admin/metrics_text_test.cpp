@@ -15,6 +15,7 @@ namespace {
 
 Metrics sample() {
   Metrics metrics;
+  metrics.startedAt = UtcTime(std::chrono::seconds(1'795'800'000));
   metrics.version = "0.1.0";
   metrics.serverName = "Our \"best\" \\server\\\nof all, Zoë";
   metrics.connectedPlayers = 3;
@@ -31,6 +32,10 @@ Metrics sample() {
   metrics.missedInputs = 6;
   metrics.desyncs = 7;
   metrics.drops = {{"invalid_datagram", 8}, {"expired", 0}};
+  metrics.droppedTicks = 9;
+  metrics.stoppedRecordings = 10;
+  metrics.unwrittenBans = 11;
+  metrics.unwrittenBestTimes = 12;
   return metrics;
 }
 
@@ -96,16 +101,17 @@ class TextFormat {
 
 TEST(MetricsText, FollowsTheRulesOfTheFormat) {
   const TextFormat text(formatMetrics(sample()));
-  EXPECT_EQ(text.values.size(), 16u);
+  EXPECT_EQ(text.values.size(), 21u);
   for (const auto& [name, type] : text.types) {
     EXPECT_EQ(type == "counter", name.ends_with("_total")) << name;
-    EXPECT_TRUE(name.starts_with("platon_")) << name;
+    EXPECT_TRUE(name.starts_with("platon_") || name == "process_start_time_seconds") << name;
   }
 }
 
 TEST(MetricsText, HasEveryValue) {
   const TextFormat text(formatMetrics(sample()));
   const std::map<std::string, std::string> expected{
+      {"process_start_time_seconds", "1795800000"},
       {R"(platon_info{version="0.1.0",name="Our \"best\" \\server\\\nof all, Zoë"})", "1"},
       {R"(platon_players{state="connected"})", "3"},
       {R"(platon_players{state="disconnected"})", "1"},
@@ -116,12 +122,16 @@ TEST(MetricsText, HasEveryValue) {
       {"platon_tick_seconds_sum", "3600.000001"},
       {"platon_tick_seconds_count", "1000"},
       {"platon_tick_max_seconds", "2.000000"},
+      {"platon_dropped_ticks_total", "9"},
       {"platon_received_bytes_total", "18446744073709551615"},
       {"platon_sent_bytes_total", "5"},
       {"platon_missed_inputs_total", "6"},
       {"platon_desyncs_total", "7"},
       {R"(platon_drops_total{reason="invalid_datagram"})", "8"},
-      {R"(platon_drops_total{reason="expired"})", "0"}};
+      {R"(platon_drops_total{reason="expired"})", "0"},
+      {"platon_stopped_recordings_total", "10"},
+      {"platon_unwritten_bans_total", "11"},
+      {"platon_unwritten_best_times_total", "12"}};
   for (const auto& [name, value] : expected) {
     ASSERT_TRUE(text.values.contains(name)) << name;
     EXPECT_EQ(text.values.at(name), value) << name;

@@ -47,6 +47,9 @@ TEST_F(ServerMetricsTest, AServerThatHasJustStartedHasCountedNothing) {
   EXPECT_EQ(metrics.connectedPlayers, 0u);
   EXPECT_EQ(metrics.tickCount, 0u);
   EXPECT_EQ(metrics.tickMaxUs, 0u);
+  EXPECT_EQ(metrics.droppedTicks, 0u);
+  EXPECT_EQ(metrics.stoppedRecordings, 0u);
+  EXPECT_EQ(metrics.unwrittenBestTimes, 0u);
   for (const Metrics::Drop& drop : metrics.drops) EXPECT_EQ(drop.count, 0u) << drop.reason;
 }
 

@@ -2,6 +2,7 @@
 #include <ifaddrs.h>
 #include <signal.h>
 
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 
@@ -11,6 +12,7 @@
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
+#include "tests/support/served_metrics.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
 #include "tests/support/wait_until.h"
@@ -147,6 +149,10 @@ class ToolsTest : public ProgramTest {
     ProcessOptions options;
     options.inputFile = folder_ / "commands";
     return runProcess(platonCommand("platon-server", {"--console", "--socket", socket_}), options);
+  }
+
+  static std::chrono::sys_seconds now() {
+    return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   }
 
   const std::string socket_ = folder_ / "console.sock";
@@ -312,17 +318,18 @@ TEST_F(ToolsTest, ABannedAddressCannotJoin) {
 }
 
 TEST_F(ToolsTest, TheMetricsAreServed) {
+  const std::chrono::sys_seconds before = now();
   start();
-  const std::string metrics = server_->waitForError("metrics on ");
-  const ProcessResult answer = runProcess({"bash", "-c",
-                                           "exec 3<>/dev/tcp/127.0.0.1/\"$0\" && printf "
-                                           "'GET /metrics HTTP/1.1\\r\\n\\r\\n' >&3 && cat <&3",
-                                           metrics.substr(metrics.find(':') + 1)});
-  EXPECT_EQ(answer.exitCode, 0) << answer.errors;
-  EXPECT_TRUE(answer.output.starts_with("HTTP/1.1 200 OK\r\nContent-Type: text/plain; version=0.0.4\r\n"));
-  EXPECT_NE(answer.output.find("\nplaton_players{state=\"connected\"} 0\n"), std::string::npos) << answer.output;
-  EXPECT_NE(answer.output.find("\nplaton_players_limit 16\n"), std::string::npos) << answer.output;
-  EXPECT_NE(answer.output.find(",name=\"Platon\"} 1\n"), std::string::npos) << answer.output;
+  const std::string answer = servedMetrics(*server_);
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 OK\r\nContent-Type: text/plain; version=0.0.4\r\n"));
+  EXPECT_NE(answer.find("\nplaton_players{state=\"connected\"} 0\n"), std::string::npos) << answer;
+  EXPECT_NE(answer.find("\nplaton_players_limit 16\n"), std::string::npos) << answer;
+  EXPECT_NE(answer.find(",name=\"Platon\"} 1\n"), std::string::npos) << answer;
+  const std::string start = "\nprocess_start_time_seconds ";
+  ASSERT_NE(answer.find(start), std::string::npos) << answer;
+  const std::chrono::seconds started(std::stoll(answer.substr(answer.find(start) + start.size())));
+  EXPECT_GE(started, before.time_since_epoch());
+  EXPECT_LE(started, now().time_since_epoch());
 }
 
 TEST_F(ToolsTest, TheSecondServerOfADefaultPathRunsWithoutAConsole) {

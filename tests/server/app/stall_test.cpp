@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/bot/playing_bot.h"
+#include "server/app/server_metrics.h"
 #include "tests/support/loopback_server.h"
 
 namespace platon::stall_test {
@@ -64,11 +65,48 @@ TEST_F(StallTest, RepeatedStallsAreSaidOnceInTenSeconds) {
   EXPECT_EQ(droppedLines().size(), 2u) << "the second line counts all others";
 }
 
+// 0.8 s are 48 ticks; 15 of them are made up for.
+TEST_F(StallTest, EveryDroppedTickIsCounted) {
+  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
+  letPass(bot, seconds(4));
+  ASSERT_TRUE(bot.result().joined);
+  EXPECT_EQ(metricsOf(server_.server()).droppedTicks, 0u);
+  for (const double stalls : {1.0, 2.0, 3.0}) {
+    server_.suspend(milliseconds(800), [&bot](Moment now) { bot.update(now); });
+    letPass(bot, milliseconds(100));
+    EXPECT_NEAR(static_cast<double>(metricsOf(server_.server()).droppedTicks), 33 * stalls, stalls);
+  }
+  EXPECT_EQ(droppedLines().size(), 1u);
+}
+
+// The longest tick of the last play was told for as long as the server ran.
+TEST_F(StallTest, TheTickTimesOfAServerThatIsEmptyEndAfterTwoMinutes) {
+  server_.server().setClock([this] { return TimePoint(server_.clock().now()); });
+  {
+    PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
+    letPass(bot, seconds(4));
+    ASSERT_TRUE(bot.result().joined);
+  }
+  const auto pass = [this](Moment duration) {
+    server_.runUntil(
+        duration, [](Moment) {}, [] { return false; });
+  };
+  pass(seconds(30));
+  EXPECT_GT(metricsOf(server_.server()).tickMaxUs, 0u);
+  pass(seconds(60 + 120));  // the bot can resume for a minute
+  const Metrics metrics = metricsOf(server_.server());
+  EXPECT_GT(metrics.tickCount, 0u);
+  EXPECT_EQ(metrics.tickMaxUs, 0u);
+  EXPECT_EQ(metrics.tickP99Us, 0u);
+  EXPECT_EQ(metrics.tickP50Us, 0u);
+}
+
 TEST_F(StallTest, AServerWithoutPlayersDropsNothing) {
   server_.suspend(seconds(60), [](Moment) {});
   server_.runUntil(
       seconds(1), [](Moment) {}, [] { return false; });
   EXPECT_TRUE(droppedLines().empty());
+  EXPECT_EQ(metricsOf(server_.server()).droppedTicks, 0u);
 }
 
 }  // namespace
