@@ -28,7 +28,8 @@ std::string remedyFor(int fault) {
 
 [[noreturn]] void refuse(const SocketAddress& own, int fault) {
   const std::string place = own.port == 0 ? own.ip.text() : own.text();
-  throw SocketError("cannot listen on " + place + ": " + std::strerror(fault) + remedyFor(fault));
+  throw SocketError("cannot listen on " + place + ": " + std::strerror(fault) + remedyFor(fault),
+                    fault == EADDRINUSE ? SocketError::kFailed : SocketError::kUsage);
 }
 
 IpAddress anyOf(bool ipv6) { return *IpAddress::parse(ipv6 ? "::" : "0.0.0.0"); }
@@ -70,7 +71,10 @@ struct UdpSocket::Batches {
 
 UdpSocket::UdpSocket(const std::string& bind, std::uint16_t port) : batches_(std::make_unique<Batches>()) {
   std::optional<IpAddress> ip = IpAddress::parse(bind);
-  if (!ip) throw SocketError("cannot listen on '" + bind + "': not an IP address, such as 127.0.0.1 or ::");
+  if (!ip) {
+    throw SocketError("cannot listen on '" + bind + "': not an IP address, such as 127.0.0.1 or ::",
+                      SocketError::kUsage);
+  }
   open(!ip->isIpv4());
   if (handle_ < 0 && *ip == anyOf(true)) {
     ip = anyOf(false);

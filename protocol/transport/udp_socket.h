@@ -1,26 +1,26 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "protocol/program_error.h"
 #include "protocol/transport/datagram_socket.h"
 
 namespace platon {
 
-/// A socket cannot be opened or a name cannot be resolved; `what()` is one sentence that states the cause and how to
-/// correct it.
-class SocketError : public std::runtime_error {
+/// A socket cannot be opened or a name cannot be resolved.
+class SocketError : public ProgramError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit SocketError(const std::string& what, int exitCode = kFailed) : ProgramError(exitCode, what) {}
 };
 
 /// A UDP socket. Receives and sends several datagrams with one system call.
 class UdpSocket : public DatagramSocket {
  public:
   /// Listens on an IPv4 or IPv6 address of this machine; "::" listens on all addresses of both kinds, and on all IPv4
-  /// addresses where the machine has no IPv6. Port 0: any that is free. Throws SocketError.
+  /// addresses where the machine has no IPv6. Port 0: any that is free. Throws SocketError: kFailed if another
+  /// program uses the address, otherwise kUsage.
   UdpSocket(const std::string& bind, std::uint16_t port);
   /// A socket of a client: at a free port, for servers at addresses of both kinds. Throws SocketError.
   UdpSocket();

@@ -20,10 +20,12 @@ namespace {
 constexpr int kConsoleBacklog = 8;
 constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw ProgramError(ProgramError::kUsage,
+[[noreturn]] void refuse(const std::string& path, const std::string& why, int exitCode = ProgramError::kUsage) {
+  throw ProgramError(exitCode,
                      "cannot open the console at '" + path + "': " + why + "; name another path after --socket");
 }
+
+int exitCodeOf(int fault) { return fault == EADDRINUSE ? ProgramError::kFailed : ProgramError::kUsage; }
 
 void refuseOtherKind(const std::string& path) {
   struct stat status {};
@@ -54,7 +56,7 @@ ConsoleSocket::ConsoleSocket(std::string path) : path_(std::move(path)) {
     replaceStale();
     bindAndListen();
   }
-  if (!listener_) refuse(path_, std::strerror(errno));
+  if (!listener_) refuse(path_, std::strerror(errno), exitCodeOf(errno));
   struct stat status {};
   if (lstat(path_.c_str(), &status) != 0) refuse(path_, std::strerror(errno));
   device_ = status.st_dev;
@@ -83,7 +85,7 @@ bool ConsoleSocket::bindAndListen() {
 void ConsoleSocket::replaceStale() const {
   refuseOtherKind(path_);
   const Descriptor other = connectUnix(path_);
-  if (other || errno == EAGAIN) refuse(path_, "another server uses it");
+  if (other || errno == EAGAIN) refuse(path_, "another server uses it", exitCodeOf(EADDRINUSE));
   if (errno != ECONNREFUSED || unlink(path_.c_str()) != 0) refuse(path_, std::strerror(errno));
 }
 

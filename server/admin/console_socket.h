@@ -19,8 +19,8 @@ void checkConsolePath(const std::string& path);
 /// A Unix socket that listens at a path and that only its user can connect to. The destructor removes it.
 class ConsoleSocket {
  public:
-  /// Replaces the socket of a server that no longer runs. Throws ProgramError (kUsage) if a server listens there, if
-  /// the path is another kind of file, or if no socket can be made there.
+  /// Replaces the socket of a server that no longer runs. Throws ProgramError: kFailed if a server listens there,
+  /// kUsage if the path is another kind of file or if no socket can be made there.
   explicit ConsoleSocket(std::string path);
   ~ConsoleSocket();
   ConsoleSocket(const ConsoleSocket&) = delete;

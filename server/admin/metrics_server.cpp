@@ -44,7 +44,7 @@ MetricsServer::MetricsServer(const SocketAddress& address) : address_(address), 
   if (!listener_) {
     const int fault = errno;
     const std::string place = address.port == 0 ? address.ip.text() : address.text();
-    throw ProgramError(ProgramError::kUsage,
+    throw ProgramError(fault == EADDRINUSE ? ProgramError::kFailed : ProgramError::kUsage,
                        "cannot serve metrics on " + place + ": " + std::strerror(fault) + remedyFor(fault));
   }
   address_.port = portOf(listener_);

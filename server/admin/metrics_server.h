@@ -23,7 +23,8 @@ class MetricsServer {
   /// Time in which a connection must send its request and read the answer.
   static constexpr std::chrono::seconds kConnectionTime{5};
 
-  /// Listens; port 0: any that is free. Throws ProgramError (kUsage).
+  /// Listens; port 0: any that is free. Throws ProgramError: kFailed if another program uses the address, otherwise
+  /// kUsage.
   explicit MetricsServer(const SocketAddress& address);
 
   /// Accepts connections, and receives and sends what they take. `text` makes the page, once for each request.

@@ -1,5 +1,6 @@
 #include "server/app/config_check.h"
 
+#include <cerrno>
 #include <sstream>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "server/admin/ban_store.h"
 #include "server/admin/console_socket.h"
 #include "server/admin/metrics_server.h"
+#include "server/admin/stream_socket.h"
 #include "server/app/level_files.h"
 #include "server/times/best_time_store.h"
 
@@ -32,8 +34,6 @@ class Checker {
       check();
     } catch (const ProgramError& error) {
       add(error.exitCode(), error.what());
-    } catch (const SocketError& error) {
-      add(ProgramError::kUsage, error.what());
     }
   }
 
@@ -93,9 +93,29 @@ class Checker {
     });
   }
 
+  // A server that runs uses its ports itself. Where it cannot be told whether one does, nothing is said.
+  void checkPorts(const ServerOptions& options) {
+    const Descriptor console = connectUnix(options.socket.empty() ? defaultConsolePath() : options.socket);
+    if (console || (errno != ENOENT && errno != ECONNREFUSED)) return;
+    warnIfUsed([&] { UdpSocket(options.bind, options.port); });
+    warnIfUsed([&] {
+      if (!options.metrics.empty()) MetricsServer(*parseSocketAddress(options.metrics));
+    });
+  }
+
   ConfigCheck take() { return std::move(check_); }
 
  private:
+  // The next start may find the port free, so this is no error. `checkAddresses` tells what else is wrong.
+  template <class Open>
+  void warnIfUsed(Open open) {
+    try {
+      open();
+    } catch (const ProgramError& error) {
+      if (error.exitCode() == ProgramError::kFailed) check_.errors.push_back(std::string("warning: ") + error.what());
+    }
+  }
+
   ConfigCheck check_;
 };
 
@@ -112,6 +132,7 @@ ConfigCheck checkConfig(const CommandLine& line) {
   checker.checkSecrets(options);
   checker.checkAnnouncement(options);
   checker.checkAddresses(options);
+  checker.checkPorts(options);
   return checker.take();
 }
 

@@ -45,8 +45,8 @@ struct ServerSettings {
 /// A match on a socket. `platon-server` runs one, and so does a client without a server address.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` must not be empty. Throws SocketError, and ProgramError if no recording can be written
-  /// or the best times cannot be read.
+  /// Opens the socket; `levels` must not be empty. Throws SocketError if that fails, and ProgramError if no recording
+  /// can be written or the best times cannot be read.
   DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
   /// The same on another socket.
   DedicatedServer(std::unique_ptr<DatagramSocket> socket, const ServerSettings& settings,

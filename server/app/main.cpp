@@ -9,7 +9,6 @@
 #include <string>
 
 #include "protocol/program_error.h"
-#include "protocol/transport/udp_socket.h"
 #include "server/admin/console_client.h"
 #include "server/admin/console_socket.h"
 #include "server/app/async_line_writer.h"
@@ -109,8 +108,6 @@ int main(int argc, char** argv) {
   } catch (const ProgramError& error) {
     const bool level = error.exitCode() == ProgramError::kLevel;
     return platon::fail(error.exitCode(), level ? "" : "platon-server: ", error.what());
-  } catch (const platon::SocketError& error) {
-    return platon::fail(ProgramError::kUsage, "platon-server: ", error.what());
   } catch (const std::exception& error) {
     return platon::fail(ProgramError::kFailed, "platon-server: ", error.what());
   }

@@ -26,8 +26,8 @@ class ServerProgram {
  public:
   using LogSink = std::function<void(std::string_view)>;
 
-  /// Reads the files that the command line names, and opens all sockets. Throws ProgramError and SocketError. Where the
-  /// console cannot be opened at its default path, the server runs without one; `announce` logs why.
+  /// Reads the files that the command line names, and opens all sockets. Throws ProgramError. Where the console cannot
+  /// be opened at its default path, the server runs without one; `announce` logs why.
   ServerProgram(const CommandLine& line, const LogSink& sink) : ServerProgram(line, optionsOf(line), sink) {}
   ServerProgram(const ServerProgram&) = delete;
   ServerProgram& operator=(const ServerProgram&) = delete;

@@ -36,6 +36,11 @@ class Units(unittest.TestCase):
             result = analyze("verify", "--man=no", self.folder / unit.replace("@", "@other"))
             self.assertEqual((result.returncode, result.stdout), (0, ""), unit)
 
+    def test_only_what_stays_wrong_is_not_tried_again(self):
+        for unit in UNITS:
+            keys = dict(line.split("=", 1) for line in (FOLDER / unit).read_text(encoding="utf-8").splitlines() if "=" in line and line[:1].isupper())
+            self.assertEqual((keys["Restart"], keys["RestartPreventExitStatus"], keys["StartLimitIntervalSec"]), ("on-failure", "2 3", "0"), unit)
+
     def test_they_expose_little(self):
         for unit in UNITS:
             result = analyze("security", "--offline=true", "--no-pager", self.folder / unit)

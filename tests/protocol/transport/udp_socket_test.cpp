@@ -13,11 +13,12 @@ namespace {
 
 constexpr Moment kNow{};
 
-std::string errorOf(const std::string& bind, std::uint16_t port) {
+std::string errorOf(const std::string& bind, std::uint16_t port, int exitCode = ProgramError::kUsage) {
   try {
     const UdpSocket socket(bind, port);
     return "none";
   } catch (const SocketError& error) {
+    EXPECT_EQ(error.exitCode(), exitCode);
     return error.what();
   }
 }
@@ -34,9 +35,9 @@ std::optional<Datagram> next(UdpSocket& socket) {
 TEST(UdpSocket, SaysWhyItCannotListen) {
   const UdpSocket socket("127.0.0.1", 0);
   const std::uint16_t port = socket.address().port;
-  EXPECT_EQ(errorOf("127.0.0.1", port), "cannot listen on 127.0.0.1:" + std::to_string(port) +
-                                            ": Address already in use; stop the program that uses it or choose another "
-                                            "port after --port");
+  EXPECT_EQ(errorOf("127.0.0.1", port, ProgramError::kFailed),
+            "cannot listen on 127.0.0.1:" + std::to_string(port) +
+                ": Address already in use; stop the program that uses it or choose another port after --port");
   EXPECT_TRUE(errorOf("2001:db8::1", 7777).starts_with("cannot listen on [2001:db8::1]:7777: "));
   EXPECT_EQ(errorOf("here", 0), "cannot listen on 'here': not an IP address, such as 127.0.0.1 or ::");
   EXPECT_NE(errorOf("192.0.2.1", 0).find("choose an address of this machine after --bind, or :: for all"),

@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 class ConsoleSocketTest : public testing::Test {
  protected:
   // The message when the console cannot be opened.
-  static std::string errorOf(const std::string& path) {
+  static std::string errorOf(const std::string& path, int exitCode = ProgramError::kUsage) {
     try {
       const ConsoleSocket socket(path);
       return "none";
     } catch (const ProgramError& error) {
-      EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
+      EXPECT_EQ(error.exitCode(), exitCode);
       return error.what();
     }
   }
@@ -95,7 +95,8 @@ TEST_F(ConsoleSocketTest, ReplacesTheSocketOfAServerThatNoLongerRuns) {
 
 TEST_F(ConsoleSocketTest, RefusesThePathOfARunningServer) {
   const ConsoleSocket first(path_);
-  EXPECT_EQ(errorOf(path_), refusal_ + "another server uses it; name another path after --socket");
+  EXPECT_EQ(errorOf(path_, ProgramError::kFailed),
+            refusal_ + "another server uses it; name another path after --socket");
   EXPECT_TRUE(connectUnix(path_));
 }
 

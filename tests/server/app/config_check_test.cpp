@@ -37,7 +37,7 @@ TEST_F(ConfigCheckTest, AcceptsAValidConfiguration) {
   write("bans.txt", "192.0.2.7\n# x\n192.0.2.8\n");
   write("best", "0123456789abcdef 6 743 2026-12-01T18:00:00Z Ann\n");
   const ConfigCheck check =
-      this->check("levels = [\"a.level\", \"a.level\"]\nban-file = \"bans.txt\"\nbest-times = \"best\"\n");
+      this->check("port = 0\nlevels = [\"a.level\", \"a.level\"]\nban-file = \"bans.txt\"\nbest-times = \"best\"\n");
   EXPECT_EQ(check.exitCode, 0);
   EXPECT_EQ(check.errors, std::vector<std::string>{});
   EXPECT_EQ(check.summary, "levels: 2, bans: 2, best times: 1");
@@ -84,7 +84,7 @@ TEST_F(ConfigCheckTest, ChecksWhatTheCommandLineNames) {
 }
 
 TEST_F(ConfigCheckTest, AMissingBanFileIsAnError) {
-  const ConfigCheck check = this->check("ban-file = \"bans.txt\"\n");
+  const ConfigCheck check = this->check("port = 0\nban-file = \"bans.txt\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   EXPECT_EQ(check.errors,
             std::vector<std::string>{at("bans.txt") + ": error: No such file or directory; name a readable "
@@ -94,7 +94,7 @@ TEST_F(ConfigCheckTest, AMissingBanFileIsAnError) {
 TEST_F(ConfigCheckTest, AcceptsAKeyAndAPassword) {
   readKeyFile(at("key"));
   write("password", "sesame\n");
-  const ConfigCheck check = this->check("key-file = \"key\"\npassword-file = \"password\"\n");
+  const ConfigCheck check = this->check("port = 0\nkey-file = \"key\"\npassword-file = \"password\"\n");
   EXPECT_EQ(check.exitCode, 0);
   EXPECT_EQ(check.errors, std::vector<std::string>{});
   EXPECT_EQ(check.summary, "levels: " + std::to_string(shippedLevels().size()));
@@ -113,13 +113,14 @@ TEST_F(ConfigCheckTest, ReportsAKeyAndAPasswordThatTheServerWouldRefuse) {
   const std::vector<std::string> both{
       at("key") + ": error: not a key of platon-server; name a file that does not exist to have one made",
       at("password") + ": error: the first line is empty; write the password there"};
-  const ConfigCheck check = this->check("key-file = \"key\"\npassword-file = \"password\"\n");
+  const ConfigCheck check = this->check("port = 0\nkey-file = \"key\"\npassword-file = \"password\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   EXPECT_EQ(check.errors, both);
   const std::vector<std::string> missing{
       at("missing/key") + ": error: cannot be created: No such file or directory; name a file in a writable folder",
       at("missing/password") + ": error: No such file or directory; name a readable file"};
-  EXPECT_EQ(this->check("key-file = \"missing/key\"\npassword-file = \"missing/password\"\n").errors, missing);
+  EXPECT_EQ(this->check("port = 0\nkey-file = \"missing/key\"\npassword-file = \"missing/password\"\n").errors,
+            missing);
 }
 
 // 198.51.100.1 is an address for documents.
@@ -149,11 +150,25 @@ TEST_F(ConfigCheckTest, APortAndAConsoleThatAreInUseAreNoErrors) {
   EXPECT_TRUE(std::filesystem::exists(at("console")));
 }
 
+// The check said that all was well, and the server did not start.
+TEST_F(ConfigCheckTest, WarnsOfPortsInUseWhenNoServerAnswersAtTheConsole) {
+  const UdpSocket used("127.0.0.1", 0);
+  const MetricsServer metrics(*parseSocketAddress("127.0.0.1:0"));
+  const ConfigCheck check = this->check("bind = \"127.0.0.1\"\nport = " + std::to_string(used.address().port) +
+                                        "\nmetrics = \"" + metrics.address().text() + "\"\nsocket = \"console\"\n");
+  EXPECT_EQ(check.exitCode, 0);
+  const std::string remedy = ": Address already in use; stop the program that uses it or choose another port after --";
+  EXPECT_EQ(check.errors, (std::vector<std::string>{
+                              "warning: cannot listen on " + used.address().text() + remedy + "port",
+                              "warning: cannot serve metrics on " + metrics.address().text() + remedy + "metrics"}));
+  EXPECT_FALSE(std::filesystem::exists(at("console")));
+}
+
 TEST_F(ConfigCheckTest, APipeInPlaceOfAnyFileIsNamedAndNotWaitedFor) {
   for (const char* name : {"a.level", "key", "password", "bans", "best", "list"})
     ASSERT_EQ(mkfifo(at(name).c_str(), 0600), 0);
   const ConfigCheck check = this->check(
-      "levels = [\"a.level\"]\nkey-file = \"key\"\npassword-file = \"password\"\nban-file = \"bans\"\n"
+      "port = 0\nlevels = [\"a.level\"]\nkey-file = \"key\"\npassword-file = \"password\"\nban-file = \"bans\"\n"
       "best-times = \"best\"\nannounce = \"list\"\nannounce-as = \"a.example\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   const std::string fault = "it is a pipe, not a regular file; ";

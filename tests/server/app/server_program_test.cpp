@@ -35,6 +35,13 @@ class ProgramTest : public testing::Test {
     return static_cast<std::uint16_t>(std::stoi(line.substr(line.rfind(':') + 1)));
   }
 
+  static void ends(const std::vector<std::string>& arguments, int code, const std::string& start) {
+    Process server(platonCommand("platon-server", arguments));
+    const std::string first = server.nextErrorLine();
+    EXPECT_TRUE(first.starts_with(start)) << first;
+    EXPECT_EQ(server.wait(), code) << first;
+  }
+
   const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   const std::string level_ = folder_ / "test.level";
 };
@@ -107,16 +114,6 @@ TEST_F(ProgramTest, KeepsItsSettingsWhenTheNewOnesAreInvalid) {
 }
 
 TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
-  const auto ends = [](const std::vector<std::string>& arguments, int code, const std::string& start) {
-    Process server(platonCommand("platon-server", arguments));
-    const std::string first = server.nextErrorLine();
-    EXPECT_TRUE(first.starts_with(start)) << first;
-    EXPECT_EQ(server.wait(), code) << first;
-  };
-  Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
-  const std::string port = std::to_string(portOf(server.nextErrorLine()));
-  ends({level_, "--port", port, "--bind", "127.0.0.1"}, 2,
-       "platon-server: cannot listen on 127.0.0.1:" + port + ": Address already in use; ");
   ends({"--colour"}, 2, "platon-server: The following argument was not expected: --colour");
   ends({level_, "--port", "0", "--record", level_ + "/games"}, 2,
        "platon-server: cannot write recordings to '" + level_ +
@@ -160,6 +157,25 @@ class ToolsTest : public ProgramTest {
   std::optional<Process> server_;
   std::uint16_t port_ = 0;
 };
+
+// With 2, systemd does not start it again: node_exporter had the port of the metrics, and the server stayed down.
+TEST_F(ToolsTest, AnAddressInUseExitsWith1SoThatSystemdTriesAgain) {
+  start();
+  const std::string page = server_->waitForError("metrics on ");
+  const std::string game = "127.0.0.1:" + std::to_string(port_);
+  const std::vector<std::string> common{level_, "--bind", "127.0.0.1"};
+  const auto with = [&common](std::vector<std::string> options) {
+    options.insert(options.end(), common.begin(), common.end());
+    return options;
+  };
+  const std::string remedy = ": Address already in use; stop the program that uses it or choose another port after --";
+  ends(with({"--port", std::to_string(port_)}), 1, "platon-server: cannot listen on " + game + remedy + "port");
+  ends(with({"--port", "0", "--metrics", page}), 1,
+       "platon-server: cannot serve metrics on " + page + remedy + "metrics");
+  ends(with({"--port", "0", "--socket", socket_}), 1,
+       "platon-server: cannot open the console at '" + socket_ +
+           "': another server uses it; name another path after --socket");
+}
 
 TEST_F(ToolsTest, TheConsoleControlsTheServer) {
   start();
@@ -348,7 +364,7 @@ TEST_F(ToolsTest, TheSecondServerOfADefaultPathRunsWithoutAConsole) {
   nothingToDo.inputFile = "/dev/null";
   EXPECT_EQ(runProcess(platonCommand("platon-server", {"--console"}), nothingToDo).exitCode, 0);
   Process third(platonCommand("platon-server", {level_, "--bind", "127.0.0.1", "--port", "0", "--socket", path}));
-  EXPECT_EQ(third.wait(), 2);
+  EXPECT_EQ(third.wait(), 1);
 }
 
 TEST_F(ToolsTest, AKilledServerLeavesNoObstacle) {
