@@ -47,7 +47,7 @@ int serve(const CommandLine& line) {
   onSignal(SIGINT, [](int) { stopRequested = 1; });
   onSignal(SIGHUP, [](int) { reloadRequested = 1; });
   program.announce();
-  program.run([&, terminated = 0]() mutable {
+  const bool kept = program.run([&, terminated = 0]() mutable {
     for (; terminated < terminations; ++terminated) program.terminate();
     if (reloadRequested != 0) {
       reloadRequested = 0;
@@ -58,7 +58,7 @@ int serve(const CommandLine& line) {
     }
     return stopRequested != 0;
   });
-  return 0;
+  return kept ? 0 : ProgramError::kFailed;
 }
 
 int openConsole(const CommandLine& line) {

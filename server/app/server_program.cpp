@@ -25,6 +25,8 @@ constexpr std::chrono::milliseconds kWatchedWait{10};
 constexpr std::chrono::milliseconds kNoticeTime{50};
 
 constexpr const char* kBansRemedy = "; make room on the disk, and let the server write to the folder of the file";
+constexpr const char* kLostBansRemedy =
+    "; make room on the disk, let the server write to the folder of the file, and enter again what is missing in it";
 
 ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   ServerSettings settings;
@@ -140,7 +142,7 @@ void ServerProgram::logList(const std::optional<Announcement::Outcome>& outcome)
   }
 }
 
-void ServerProgram::run(const std::function<bool()>& stopRequested) {
+bool ServerProgram::run(const std::function<bool()>& stopRequested) {
   agones_.start(server_.log());
   serviceManager_.ready();
   server_.run([&] {
@@ -155,8 +157,13 @@ void ServerProgram::run(const std::function<bool()>& stopRequested) {
   });
   leaveList();
   if (announcement_) logList(announcement_->finish());
-  logBans(bans_.finish());
+  const auto lost = bans_.finish();
+  if (lost)
+    server_.log().warning("bans lost", {{"file", options_.banFile}, {"reason", *lost + kLostBansRemedy}});
+  else
+    logBans(std::nullopt);
   agones_.finish(server_.log());
+  return !lost;
 }
 
 void ServerProgram::terminate() {

@@ -35,8 +35,9 @@ class ServerProgram {
   /// Logs where server, console and metrics are reached.
   void announce();
   /// Serves until `stopRequested`, which is called before each step, returns true, or until the console stops it. Plays
-  /// levels whose files have changed from the next round on, if they are valid.
-  void run(const std::function<bool()>& stopRequested);
+  /// levels whose files have changed from the next round on, if they are valid. Returns whether the ban file holds all
+  /// bans at the end; if not, it has logged why.
+  bool run(const std::function<bool()>& stopRequested);
   /// Begins to drain if the options give it time, and otherwise stops at once. While it drains, stops it at once.
   void terminate();
   /// Reads configuration, levels and bans again. If anything is invalid, nothing changes. Returns what it has logged.

@@ -281,10 +281,28 @@ TEST_F(UnwrittenBanTest, ItsWriteIsTriedOnceMoreAtTheStop) {
   EXPECT_EQ(readText(bans_), "192.0.2.7\n");
 }
 
-TEST_F(UnwrittenBanTest, AFailureAtTheStopIsLogged) {
-  EXPECT_EQ(console("stop\n").exitCode, 0);
-  EXPECT_EQ(server_->wait(), 0);
-  EXPECT_TRUE(server_->errors().ends_with("\n" + notWritten_)) << server_->errors();
+// It exited with 0, as if nothing were lost.
+TEST_F(UnwrittenBanTest, BansThatAreLostAtTheStopExitWith1) {
+  for (const bool bySignal : {true, false}) {
+    if (bySignal) server_->signal(SIGTERM);
+    if (!bySignal) {
+      start();
+      EXPECT_EQ(console("ban 192.0.2.7\nstop\n").exitCode, 0);
+    }
+    EXPECT_EQ(server_->wait(), 1);
+    EXPECT_TRUE(server_->errors().ends_with("\nbans lost file=\"" + bans_ +
+                                            "\" reason=\"File name too long; make room on the disk, let the server "
+                                            "write to the folder of the file, and enter again what is missing in "
+                                            "it\"\n"))
+        << server_->errors();
+  }
+}
+
+TEST_F(UnwrittenBanTest, TheMetricsCountIt) {
+  const std::string answer = servedMetrics(*server_);
+  EXPECT_NE(answer.find("\nplaton_unwritten_bans_total "), std::string::npos) << answer;
+  EXPECT_EQ(answer.find("\nplaton_unwritten_bans_total 0\n"), std::string::npos) << answer;
+  EXPECT_NE(answer.find("\nplaton_unwritten_best_times_total 0\n"), std::string::npos) << answer;
 }
 
 TEST_F(UnwrittenBanTest, TheEndOfAFailureIsLogged) {
