@@ -22,8 +22,8 @@ class DownloadError : public std::runtime_error {
 bool mayRedirect(const IpAddress& from, const IpAddress& to);
 
 /// What a web server has at a URL, http or https, at most `maxBytes`, within 10 s. An https address leads only to
-/// others of https, whose certificates the system trusts, and an address only to those for which `mayLead` is true.
-/// Throws DownloadError, also when a stop is requested.
+/// others of https, whose certificates the system trusts, and an address only to those for which `mayLead` is true. No
+/// proxy is used. Throws DownloadError, also when a stop is requested.
 std::string download(const std::string& url, std::size_t maxBytes, const std::stop_token& stop = {},
                      std::function<bool(const IpAddress& from, const IpAddress& to)> mayLead = mayRedirect);
 

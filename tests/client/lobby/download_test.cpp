@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <vector>
 
 #include "tests/client/lobby/web_server.h"
@@ -97,6 +98,23 @@ TEST(DownloadTest, LeadsOnlyWhereItMay) {
         "it leads to 127.0.0.1, an address of this machine or of a private network, and does not come from there");
   }
   EXPECT_EQ(asked, 2);
+}
+
+// A proxy on this machine fetched for a web server of the internet what it redirected to: curl connected to the proxy
+// only, which may be anywhere.
+TEST(DownloadTest, AProxyOfTheEnvironmentIsNotAsked) {
+  std::atomic<int> asked = 0;
+  const WebServer proxy([&](std::string_view) {
+    ++asked;
+    return WebServer::ok("of the proxy");
+  });
+  const WebServer server([](std::string_view) { return WebServer::ok("of the server"); });
+  for (const char* const name : {"http_proxy", "all_proxy"}) {
+    setenv(name, proxy.url("").c_str(), 1);
+    EXPECT_EQ(download(server.url(), 1000), "of the server") << name;
+    unsetenv(name);
+  }
+  EXPECT_EQ(asked, 0);
 }
 
 // Before, the reason was that of a connection that the server had closed after an answer.
