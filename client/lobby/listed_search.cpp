@@ -8,9 +8,6 @@
 namespace platon {
 namespace {
 
-// So that a flood of answers does not keep the caller.
-constexpr int kMaxDatagrams = 256;
-
 // Multicast, broadcast and what is reserved, and the addresses of no machine, which lead to this one.
 bool isNoMachine(const IpAddress& ip) {
   if (ip.isIpv4()) return ip.ipv4()[0] == 0 || ip.ipv4()[0] >= 224;
@@ -39,7 +36,7 @@ std::string ListedSearch::add(const ListedServer& server, const SocketAddress& a
 }
 
 void ListedSearch::update(Moment now) {
-  for (int i = 0; i < kMaxDatagrams; ++i) {
+  for (int i = 0; i < NearServers::kMaxDatagrams; ++i) {
     const std::optional<Datagram> datagram = socket_->receive(now);
     if (!datagram) break;
     take(*datagram, now);

@@ -28,6 +28,8 @@ class NearServers {
  public:
   static constexpr std::size_t kMaxServers = 32;
   static constexpr Moment kInterval = std::chrono::seconds(2);
+  /// Datagrams that one update takes, so that a flood of answers does not keep its caller.
+  static constexpr int kMaxDatagrams = 256;
   static constexpr std::size_t kPatience = 3;  ///< searches without an answer until a server counts as silent
 
   /// Sends each query from `socket` to all `targets`. `nonce` is a random number that others cannot guess.

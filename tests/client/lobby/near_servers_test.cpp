@@ -113,6 +113,17 @@ TEST_F(NearServersTest, TellsWhatIsNewAndWhoIsSilent) {
   EXPECT_EQ(describe(servers_.list()[0]), "no answer");
 }
 
+// Somebody in the network who sends faster than they are taken kept the menu from being drawn.
+TEST_F(NearServersTest, AFloodOfAnswersDoesNotKeepTheCaller) {
+  servers_.update(kNow);
+  for (int i = 0; i < NearServers::kMaxDatagrams; ++i) network_.inject(one_, own_, Bytes{1});
+  answer(1, one_);
+  servers_.update(kNow + 1ms);
+  EXPECT_TRUE(servers_.list().empty());
+  servers_.update(kNow + 2ms);
+  EXPECT_EQ(servers_.list().size(), 1U);
+}
+
 TEST_F(NearServersTest, AFloodOfAnswersFillsABoundedList) {
   servers_.update(kNow);
   for (int i = 0; i < 200; ++i) answer(static_cast<std::uint8_t>(i), one_);
