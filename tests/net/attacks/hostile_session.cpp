@@ -26,6 +26,7 @@ class HostileSession::MaskedSocket : public DatagramSocket {
   SocketAddress address() const override { return own_->address(); }
   void setMask(const std::optional<SocketAddress>& mask) { mask_ = mask; }
   void leave() { left_ = true; }
+  void move(const IpAddress& own) { own_ = network_.socket(own); }
 
  private:
   AttackNetwork& network_;
@@ -75,5 +76,7 @@ void HostileSession::sendFrom(const SocketAddress& name, ByteSpan content, Momen
 }
 
 void HostileSession::leaveAddress() { socket_->leave(); }
+
+void HostileSession::move(const IpAddress& own) { socket_->move(own); }
 
 }  // namespace platon

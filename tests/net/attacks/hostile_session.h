@@ -29,6 +29,8 @@ class HostileSession {
   void sendFrom(const SocketAddress& name, ByteSpan content, Moment now);
   /// From now on it sends nothing but in other names, and answers no challenge.
   void leaveAddress();
+  /// Goes on from another address of the attacker's own, and answers challenges there.
+  void move(const IpAddress& own);
 
  private:
   class MaskedSocket;

@@ -39,15 +39,21 @@ class PlayerAttack : public Attacker {
   std::vector<std::unique_ptr<HostilePlayer>> players_;
 };
 
-/// A player who never acknowledges what the server says, but four times a second what it never said, so that it goes on
-/// repeating. He joins again when the server has noticed.
+/// A player whose acknowledgements, four times a second, are all false, so that the server goes on repeating. He joins
+/// again when the server has noticed.
 class FalseAcknowledger {
  public:
-  /// `roams`: he then sends in the names of others, and does not answer the challenges there.
-  FalseAcknowledger(AttackNetwork& network, const IpAddress& own, bool roams)
-      : network_(network), own_(own), roams_(roams) {}
+  enum class Kind {
+    kNeverSent,   ///< acknowledges what the server has never sent
+    kHalfRoamed,  ///< the same, but sends in the names of others, and does not answer the challenges there
+    kInFuture,    ///< acknowledges what was sent, with a time that has not come
+  };
+
+  FalseAcknowledger(AttackNetwork& network, const IpAddress& own, Kind kind)
+      : network_(network), own_(own), kind_(kind) {}
 
   void step(Moment now) {
+    now_ = now;
     if (!session_ || now - since_ >= kLife) begin(now);
     session_->step(now);
     if (!session_->peer() || now - spokeAt_ < kInterval) return;
@@ -60,6 +66,7 @@ class FalseAcknowledger {
   static constexpr Moment kLife = milliseconds(10500);  // a little more than it lasts if it acknowledges nothing
   static constexpr Moment kInterval = milliseconds(250);
   static constexpr std::uint16_t kNeverSent = 40000;
+  static constexpr std::uint16_t kFirstMessages = 8;
 
   void begin(Moment now) {
     saidHello_ = false;
@@ -78,12 +85,12 @@ class FalseAcknowledger {
     PlayerInputs inputs{.round = welcome_->round};
     inputs.hash = 0x5a5a5a5a;
     inputs.inputs.assign(1, Input{Input::kPresent | Input::kJump});
-    std::vector<Bytes> contents{acknowledgeContent(*session_->peer(), kNeverSent, kReliableChannel, heardAt_),
-                                unsequencedContent(*session_->peer(), encode(inputs))};
+    std::vector<Bytes> contents = acknowledgements();
+    contents.push_back(unsequencedContent(*session_->peer(), encode(inputs)));
     if (!requested_)
       contents.push_back(reliableContent(*session_->peer(), 2, encode(LevelRequest{welcome_->levelHash})));
     const Bytes content = joinedContents(contents);
-    if (!roams_ || !requested_) {
+    if (kind_ != Kind::kHalfRoamed || !requested_) {
       session_->send(content, now);
     } else {
       session_->leaveAddress();
@@ -92,10 +99,29 @@ class FalseAcknowledger {
     requested_ = true;
   }
 
+  // ENet takes a time for one of the past if its highest bit differs.
+  std::vector<Bytes> acknowledgements() const {
+    if (kind_ != Kind::kInFuture)
+      return {acknowledgeContent(*session_->peer(), kNeverSent, kReliableChannel, serverTime())};
+    std::vector<Bytes> all;
+    const auto time = static_cast<std::uint16_t>(serverTime() | 0x7fff);
+    for (std::uint16_t sequence = 1; sequence <= kFirstMessages; ++sequence) {
+      all.push_back(acknowledgeContent(*session_->peer(), sequence, kReliableChannel, time));
+    }
+    return all;
+  }
+
+  std::uint16_t serverTime() const {
+    return static_cast<std::uint16_t>(heardTime_ + (now_ - heardAt_) / milliseconds(1));
+  }
+
   void receive(const Bytes& content) {
     const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kServer);
-    if (!commands || content.size() < kCommandAt) return;
-    heardAt_ = sentTimeOf(content);
+    if (!commands) return;
+    if (commands->commands[0].offset == kCommandAt) {
+      heardTime_ = sentTimeOf(content);
+      heardAt_ = now_;
+    }
     std::size_t others = 0;
     for (const EnetCommand& command : std::span(commands->commands).first(commands->count)) {
       const bool isTick = command.command == ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED;
@@ -115,12 +141,14 @@ class FalseAcknowledger {
 
   AttackNetwork& network_;
   IpAddress own_;
-  bool roams_;
+  Kind kind_;
   std::optional<HostileSession> session_;
   bool saidHello_ = false;
   std::optional<Welcome> welcome_;
-  bool requested_ = false;  // the level
-  std::uint16_t heardAt_ = 0;
+  bool requested_ = false;       // the level
+  std::uint16_t heardTime_ = 0;  // of the server, in the last content that has one
+  Moment heardAt_{};
+  Moment now_{};
   Moment since_{};
   Moment spokeAt_{};
   Dice dice_;
@@ -129,9 +157,9 @@ class FalseAcknowledger {
 /// One of them in each household.
 class FalseAcknowledgers : public Attacker {
  public:
-  FalseAcknowledgers(AttackNetwork& network, bool roam) {
+  FalseAcknowledgers(AttackNetwork& network, FalseAcknowledger::Kind kind) {
     for (int i = 0; i < kOwnHouseholds; ++i) {
-      players_.push_back(std::make_unique<FalseAcknowledger>(network, ownAddress(network.version(), i), roam));
+      players_.push_back(std::make_unique<FalseAcknowledger>(network, ownAddress(network.version(), i), kind));
     }
   }
 
@@ -141,6 +169,76 @@ class FalseAcknowledgers : public Attacker {
 
  private:
   std::vector<std::unique_ptr<FalseAcknowledger>> players_;
+};
+
+/// A player who goes to another household twice a second, at random so that some become empty, and resumes in another
+/// one after a while. Refused, it tries another one.
+class Wanderer {
+ public:
+  Wanderer(AttackNetwork& network, std::uint8_t number) : network_(network) {
+    hello_.token = SessionToken{number, 1};
+    for (int i = 0; i < number; ++i) dice_.below(1);
+  }
+
+  void step(Moment now) {
+    if (!session_ || now - since_ >= (plays_ ? kLife : kPatience)) begin(now);
+    session_->step(now);
+    if (!session_->peer() || now - movedAt_ < kInterval) return;
+    movedAt_ = now;
+    if (!saidHello_) {
+      saidHello_ = true;
+      return session_->send(reliableContent(*session_->peer(), 1, encode(hello_)), now);
+    }
+    session_->move(anyHousehold());
+    session_->send(pingContent(*session_->peer()), now);
+  }
+
+ private:
+  static constexpr Moment kLife = seconds(2);
+  static constexpr Moment kPatience = seconds(1);
+  static constexpr Moment kInterval = milliseconds(500);
+
+  IpAddress anyHousehold() { return ownAddress(network_.version(), dice_.below(kOwnHouseholds)); }
+
+  // Its old session ends at once, or there would be no room for the new one; its player stays.
+  void begin(Moment now) {
+    if (session_ && session_->peer()) session_->send(disconnectContent(*session_->peer()), now);
+    saidHello_ = plays_ = false;
+    since_ = now;
+    session_.emplace(network_, anyHousehold(), [this](const Bytes& content) { receive(content); });
+  }
+
+  // Only players are sent ticks.
+  void receive(const Bytes& content) {
+    const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kServer);
+    plays_ = plays_ || (commands && commands->commands[0].command == ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED);
+  }
+
+  AttackNetwork& network_;
+  Hello hello_;
+  std::optional<HostileSession> session_;
+  bool saidHello_ = false;
+  bool plays_ = false;
+  Moment since_{};
+  Moment movedAt_{};
+  Dice dice_;
+};
+
+/// More than may play, and fewer than can have sessions, so that the households have room for those who move.
+class Wanderers : public Attacker {
+ public:
+  explicit Wanderers(AttackNetwork& network) {
+    for (std::size_t i = 0; i < kPlayers * 3 / 2; ++i) {
+      wanderers_.push_back(std::make_unique<Wanderer>(network, static_cast<std::uint8_t>(i)));
+    }
+  }
+
+  void step(Moment now, int) override {
+    for (const auto& wanderer : wanderers_) wanderer->step(now);
+  }
+
+ private:
+  std::vector<std::unique_ptr<Wanderer>> wanderers_;
 };
 
 std::unique_ptr<Attacker> attackOf(AttackNetwork& network, Manners manners, std::size_t players) {
@@ -211,12 +309,18 @@ std::unique_ptr<Attacker> acknowledgeNothing(AttackNetwork& network) {
 }
 
 std::unique_ptr<Attacker> acknowledgeFalsely(AttackNetwork& network) {
-  return std::make_unique<FalseAcknowledgers>(network, false);
+  return std::make_unique<FalseAcknowledgers>(network, FalseAcknowledger::Kind::kNeverSent);
 }
 
 std::unique_ptr<Attacker> roamHalf(AttackNetwork& network) {
-  return std::make_unique<FalseAcknowledgers>(network, true);
+  return std::make_unique<FalseAcknowledgers>(network, FalseAcknowledger::Kind::kHalfRoamed);
 }
+
+std::unique_ptr<Attacker> acknowledgeInFuture(AttackNetwork& network) {
+  return std::make_unique<FalseAcknowledgers>(network, FalseAcknowledger::Kind::kInFuture);
+}
+
+std::unique_ptr<Attacker> roamForPlaces(AttackNetwork& network) { return std::make_unique<Wanderers>(network); }
 
 std::unique_ptr<Attacker> sendFarInputs(AttackNetwork& network) {
   return attackOf(network, {.tamper = moveInputs, .extra = sendManyInputs}, kPlayers);

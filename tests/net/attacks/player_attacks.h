@@ -10,6 +10,8 @@ namespace platon {
 std::unique_ptr<Attacker> acknowledgeNothing(AttackNetwork& network);
 std::unique_ptr<Attacker> acknowledgeFalsely(AttackNetwork& network);
 std::unique_ptr<Attacker> roamHalf(AttackNetwork& network);
+std::unique_ptr<Attacker> acknowledgeInFuture(AttackNetwork& network);
+std::unique_ptr<Attacker> roamForPlaces(AttackNetwork& network);
 std::unique_ptr<Attacker> sendFarInputs(AttackNetwork& network);
 std::unique_ptr<Attacker> sendWrongHashes(AttackNetwork& network);
 std::unique_ptr<Attacker> requestLevels(AttackNetwork& network);
