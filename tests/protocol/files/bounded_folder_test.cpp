@@ -55,16 +55,16 @@ TEST_F(BoundedFolderTest, ASubfolderThatCannotBeReadHidesNothingElse) {
   write("a.txt", 1);
   for (const char* const sub : {"b", "c", "d"}) write(std::string(sub) + "/" + sub + ".txt", 2);
   const bool isRoot = geteuid() == 0;
-  if (isRoot) ASSERT_EQ(chown(folder_.path().c_str(), kNobody, kNobody), 0);
+  ASSERT_EQ(isRoot ? chown(folder_.path().c_str(), kNobody, kNobody) : 0, 0);
   for (const char* const locked : {"b", "c", "d"}) {
     Names expected{"a.txt"};
     for (const std::string sub : {"b", "c", "d"}) {
       if (sub != locked) expected.push_back(sub + "/" + sub + ".txt");
     }
     fs::permissions(folder_ / locked, fs::perms::none);
-    if (isRoot) ASSERT_EQ(seteuid(kNobody), 0);
+    ASSERT_EQ(isRoot ? seteuid(kNobody) : 0, 0);
     Names found = names(Subfolders::kWith);
-    if (isRoot) ASSERT_EQ(seteuid(0), 0);
+    ASSERT_EQ(isRoot ? seteuid(0) : 0, 0);
     fs::permissions(folder_ / locked, fs::perms::all);
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected) << locked;
