@@ -25,12 +25,12 @@ class Prerm(unittest.TestCase):
         (self.folder / "run/systemd/system").mkdir(parents=True)
         for name in ("platon-server.service", "platon-server@second.service", "platon-server@third.service", "other@second.service"):
             (self.wants / name).symlink_to(f"/lib/systemd/system/{name}")
-        systemctl = self.folder / "systemctl"
-        systemctl.write_text(f'#!/bin/sh\necho "$@" >>{self.folder}/calls\nexit 1\n', encoding="utf-8")
-        systemctl.chmod(0o755)
+        invoke = self.folder / "deb-systemd-invoke"
+        invoke.write_text(f'#!/bin/sh\necho "$@" >>{self.folder}/calls\nexit 1\n', encoding="utf-8")
+        invoke.chmod(0o755)
 
     def run_script(self, *arguments):
-        """Runs the script with the folders of the test; the calls of systemctl."""
+        """Runs the script with the folders of the test; the calls of deb-systemd-invoke."""
         text = SCRIPT.replace("/etc/systemd", f"{self.folder}/etc/systemd").replace("/run/systemd", f"{self.folder}/run/systemd")
         subprocess.run(["sh", "-c", text, "prerm", *arguments], env={"PATH": f"{self.folder}:/usr/bin:/bin"}, check=True)
         calls = self.folder / "calls"
