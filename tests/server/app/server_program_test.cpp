@@ -254,7 +254,16 @@ TEST_F(ToolsTest, ABanIsWrittenToTheFile) {
   EXPECT_TRUE(waitUntil([this] { return readText(bans_) == "# mine\n192.0.2.0/24 too loud\n"; }));
 }
 
-// A file beside one with such a long name cannot be made, so the server can only read this one.
+// `folder` with folders below until the path of a file in them is as long as the system takes.
+std::filesystem::path deepest(std::filesystem::path folder) {
+  constexpr std::size_t kMaxBytes = 4095;
+  constexpr std::size_t kNameBytes = 200;
+  while (folder.native().size() + 1 + kNameBytes + 40 < kMaxBytes) folder /= std::string(kNameBytes, 'b');
+  std::filesystem::create_directories(folder);
+  return folder / std::string(kMaxBytes - folder.native().size() - 1, 'b');
+}
+
+// A file with a longer path cannot be made beside this one, so the server can only read it.
 class UnwrittenBanTest : public ToolsTest {
  protected:
   UnwrittenBanTest() {
@@ -266,7 +275,7 @@ class UnwrittenBanTest : public ToolsTest {
     server_->waitForError(notWritten_);
   }
 
-  const std::string file_ = folder_ / std::string(250, 'b');
+  const std::string file_ = deepest(folder_.path());
   const std::string notWritten_ = "bans not written file=\"" + bans_ +
                                   "\" reason=\"File name too long; make room on the disk, and let the server write to "
                                   "the folder of the file\"\n";
