@@ -30,19 +30,10 @@ double heightOf(const Game& game) { return game.world().entities()[0].position.y
 // Height by which the steepest ground rises on a way of 1 along it.
 double riseOfSteepestGround() { return std::sqrt(1 - kSteepestGroundNormalY * kSteepestGroundNormalY); }
 
-// Rise before a late jump: the player leaves the steepest ground at the run speed.
-double measuredSlopeGain() {
-  double speed = motion::kRunSpeed * riseOfSteepestGround();
-  double gain = 0;
-  for (int tick = 0; tick <= motion::kCoyoteTicks; ++tick, speed -= motion::kGravity) gain += std::max(speed, 0.0);
-  return gain / kSubunits;
-}
-
-// A slide along a segment turns at most half of what the horizontal speed adds to a displacement upwards: sin a cos a.
-// Each contact takes that speed away, so it must be gained again.
-double measuredPushGain(int riseTicks) {
-  return (motion::kRunSpeed + double{1} * riseTicks * motion::kAirGrip.acceleration) / 2 / kSubunits;
-}
+// A tick on the ground takes this much, at least, from who is faster than a run.
+constexpr std::int32_t kGroundFriction =
+    std::min({motion::kGroundGrip.acceleration, motion::kGroundGrip.turnRound, motion::kGroundGrip.friction});
+static_assert((FlightEnvelope::kPaces - 1) * kGroundFriction >= motion::kSlideSpeed - motion::kRunSpeed);
 
 }  // namespace
 
@@ -67,8 +58,6 @@ FlightEnvelope::FlightEnvelope() {
   below_.push_back(jumpHeight_);
   for (auto after = top; after != heights.end() - 1; ++after) fallen_.push_back(*top - *after);
   steepestRise_ = riseOfSteepestGround();
-  slopeGain_ = measuredSlopeGain();
-  pushGain_ = measuredPushGain(static_cast<int>(below_.size()));
   runSpeed_ = motion::kRunSpeed / kSubunits;
   slideSpeed_ = motion::kSlideSpeed / kSubunits;
   airFriction_ = std::min(motion::kAirGrip.friction, motion::kAirGrip.acceleration) / kSubunits;
@@ -83,6 +72,40 @@ double FlightEnvelope::wayAside(int ticks, double speed) const {
   const int slowing = speed <= runSpeed_ ? 0 : std::min(ticks, static_cast<int>((speed - runSpeed_) / airFriction_));
   const double way = slowing * speed - airFriction_ * slowing * (slowing - 1) / 2;
   return way + (ticks - slowing) * speedAfter(slowing, speed);
+}
+
+// The player leaves the steepest ground: gravity acts from the second of the whole ticks before the jump.
+double FlightEnvelope::slopeGain(double speed) const {
+  const int falling = (lateTicks_ - 1) * (lateTicks_ - 2) / 2;
+  return lateWay(speed) * steepestRise_ - motion::kGravity / kSubunits * falling;
+}
+
+// A slide along a segment turns at most half of what the horizontal speed adds to a displacement upwards: sin a cos a.
+// Each contact takes that speed away, so it must be gained again.
+double FlightEnvelope::pushGain(double speed) const {
+  return (speed + motion::kAirGrip.acceleration / kSubunits * static_cast<double>(below_.size())) / 2;
+}
+
+// A contact with the segment leads to a speed between the one before it and that of who slides as fast as one falls. An
+// overhang that turns more of the speed downwards before takes as much from the speed aside.
+double FlightEnvelope::slidingSpeed(double tangent, double speed) const {
+  constexpr double rounding = 0.01;
+  return std::min(std::max(speed, motion::kFastFallSpeed / kSubunits / tangent + rounding), slideSpeed_);
+}
+
+double FlightEnvelope::speedOf(int pace) const {
+  return std::min(runSpeed_ + pace * kGroundFriction / kSubunits, slideSpeed_);
+}
+
+int FlightEnvelope::paceOf(double speed) const {
+  int pace = 0;
+  while (pace + 1 < kPaces && speedOf(pace) < speed) ++pace;
+  return pace;
+}
+
+double FlightEnvelope::speedAfterWay(double aside, double speed) const {
+  const double most = (slideSpeed_ + std::hypot(slideSpeed_, motion::kFastFallSpeed / kSubunits)) / 2;
+  return std::max(std::min(speed, runSpeed_), speed - aside / most * airFriction_);
 }
 
 double FlightEnvelope::lateFall() const { return motion::kGravity / kSubunits * lateTicks_ * (lateTicks_ - 1) / 2; }

@@ -14,11 +14,6 @@ constexpr std::size_t kPlacesAtATime = 4096;  // between two questions whether t
 
 constexpr double kLeastGain = 0.5;  // of a higher rise to the same cell, level units
 
-double mostRise() {
-  const FlightEnvelope& envelope = FlightEnvelope::measured();
-  return envelope.jumpHeight() + envelope.pushGain() + envelope.slopeGain();
-}
-
 // Larger cells for large faces, so that memory is bounded.
 double heightCellSize(const UprightFaces& faces) {
   double area = 0;
@@ -42,8 +37,23 @@ JumpHeights::JumpHeights(const Level& level, const Options& options)
     dips_.emplace_back(grids_.back().size(), kNever);
     fallen_.emplace_back(grids_.back().size());
   }
+  measure();
   for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
   search(level);
+}
+
+// Who jumps may have slid down the flattest of the steep segments, and been on the ground for a tick since.
+void JumpHeights::measure() {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  double fastest = envelope.runSpeed();
+  for (const ReachGrid& grid : grids_) {
+    for (std::size_t cell = 0; cell < grid.size(); ++cell)
+      fastest = std::max(fastest, envelope.slidingSpeed(grid[cell].flattest, fastest));
+  }
+  const double speed = envelope.speedOf(std::max(envelope.paceOf(fastest) - 1, 0));
+  level_ = envelope.jumpHeight() + envelope.pushGain(speed);
+  sloped_ = level_ + envelope.slopeGain(speed);
+  depth_ = sloped_ + envelope.lateDepth(speed);
 }
 
 // Begins anew when a door has opened: who could not pass it before may pass it now.
@@ -129,7 +139,7 @@ void JumpHeights::fall(std::uint32_t node, std::size_t cell) {
   const ReachGrid::Cell& here = grids_[node][cell];
   reachesGoal_ = reachesGoal_ || here.atGoal;
   for (const ReachWall& wall : grids_[node].touched(cell)) touch(wall);
-  if (here.grounded) dip(node, cell, here.highest + mostRise());
+  if (here.grounded) dip(node, cell, here.highest + (here.sloped ? sloped_ : level_));
 }
 
 // A key or a plate opens its doors; from a checkpoint, a hazard brings a player to its middle.
@@ -153,9 +163,7 @@ void JumpHeights::rise(std::uint32_t node, std::size_t cell, double apex) {
 
 // Who leaves the ground may jump a little later, and lower. `apex` follows from the ground.
 void JumpHeights::dip(std::uint32_t node, std::size_t cell, double apex) {
-  const FlightEnvelope& envelope = FlightEnvelope::measured();
-  const double lowest = apex - mostRise() - envelope.lateDepth();
-  if (!isOpen(node, cell) || grids_[node].rectOf(cell).high.y < lowest) return;
+  if (!isOpen(node, cell) || grids_[node].rectOf(cell).high.y < apex - depth_) return;
   rise(node, cell, apex);
   if (apex < dips_[node][cell] + kLeastGain) return;
   dips_[node][cell] = apex;

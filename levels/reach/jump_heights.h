@@ -16,7 +16,8 @@ namespace platon {
 
 /// The places that a player may reach, with any number of crossings, by the heights of its jumps alone: it may move
 /// sideways as far as it likes in the air. Coarser and much faster than Reach. Over-approximates the game: a place that
-/// is not reached here is not reached in the game, whatever is pressed.
+/// is not reached here is not reached in the game, whatever is pressed. What Reach assumes of speeds is assumed here,
+/// too, and that a way over an edge of the solid goes on in the nearest row of cells, or beside it if that is blocked.
 class JumpHeights {
  public:
   struct Options {
@@ -47,6 +48,7 @@ class JumpHeights {
   static constexpr int kMostHeight = 100;  // level units
 
   bool stops();
+  void measure();
   void search(const Level& level);
   bool touches(std::uint32_t node, const Line& line) const;
   void put(const Place& place, double height);
@@ -65,6 +67,9 @@ class JumpHeights {
   bool stopped_ = false;
   bool reachesGoal_ = false;
   bool hasHazard_ = false;
+  double level_ = 0;  // most that a jump rises from level ground, and from a slope or an end
+  double sloped_ = 0;
+  double depth_ = 0;          // of a late jump below its highest point
   std::uint32_t opened_ = 0;  // bits of the doors that may be open
   std::vector<ReachGrid> grids_;
   std::vector<std::vector<double>> apexes_;               // of rises, by node and cell

@@ -92,7 +92,7 @@ void Reach::begin(std::uint32_t open) {
   phase_.open = open;
   for (const auto& grid : grids_) {
     phase_.known.emplace_back(2 * grid->size());
-    phase_.launched.emplace_back(2 * grid->size(), kUnreached);
+    phase_.launched.emplace_back(kKinds * grid->size(), kUnreached);
   }
 }
 
@@ -130,8 +130,10 @@ void Reach::launchPending() {
   while (!phase_.pending.empty() && !isTooFar(phase_.pending.begin()->first)) {
     auto first = phase_.pending.extract(phase_.pending.begin());
     for (auto& [node, starts] : first.mapped()) {
-      // A flight with fewer crossings may have come here since.
-      std::erase_if(starts, [&, n = node](std::uint32_t start) { return phase_.launched[n][start] != first.key(); });
+      // A flight with fewer crossings, or a faster one, may have come here since.
+      std::erase_if(starts, [&, n = node](std::uint32_t start) {
+        return phase_.launched[n][start] != first.key() || isOutdone(n, start, first.key());
+      });
       if (!starts.empty()) launchRuns(first.key(), node, starts);
     }
   }
@@ -139,17 +141,17 @@ void Reach::launchPending() {
 
 // Divides the cells into runs of neighbours of the same kind.
 void Reach::launchRuns(int crossings, std::uint32_t node, Starts starts) {
-  std::sort(starts.begin(), starts.end(),
-            [](std::uint32_t a, std::uint32_t b) { return std::pair(a & 1, a) < std::pair(b & 1, b); });
+  std::sort(starts.begin(), starts.end());
   const ReachGrid& grid = *grids_[node];
-  const auto columns = static_cast<std::uint32_t>(grid.columns());
+  const auto columns = static_cast<std::size_t>(grid.columns());
   Starts run;
   for (const std::uint32_t start : starts) {
-    const ReachGrid::Cell& cell = grid[start / 2];
-    const bool continues = !run.empty() && start == run.back() + 2 && (start / 2) % columns != 0 &&
-                           cell.grounded == grid[run.back() / 2].grounded &&
-                           cell.sloped == grid[run.back() / 2].sloped && cell.steep == grid[run.back() / 2].steep;
-    if (!continues && !run.empty()) {
+    const std::size_t index = start % grid.size();
+    const bool isNext = !run.empty() && start == run.back() + 1 && index % columns != 0;
+    const auto isAlike = [&](const ReachGrid::Cell& cell, const ReachGrid::Cell& before) {
+      return cell.grounded == before.grounded && cell.sloped == before.sloped;
+    };
+    if (!run.empty() && !(isNext && isAlike(grid[index], grid[index - 1]))) {
       launch(crossings, node, run);
       run.clear();
     }
@@ -162,18 +164,21 @@ void Reach::launchRuns(int crossings, std::uint32_t node, Starts starts) {
 void Reach::launch(int crossings, std::uint32_t node, const Starts& run) {
   const FlightEnvelope& envelope = FlightEnvelope::measured();
   const ReachGrid& grid = *grids_[node];
-  const ReachGrid::Cell& kind = grid[run.front() / 2];
+  const auto size = static_cast<std::uint32_t>(grid.size());
+  const std::uint32_t kind = run.front() / size;
   ReachLaunch launch;
   launch.node = node;
-  launch.inOneway = (run.front() & 1) != 0;
-  launch.rising = kind.grounded;
-  launch.speed = kind.steep ? envelope.slideSpeed() : envelope.runSpeed();
-  launch.apex = grid.rectOf(run.front() / 2).high.y;
-  for (const std::uint32_t start : run) launch.cells.push_back(start / 2);
-  if (kind.grounded) {
+  launch.inOneway = kind % 2 != 0;
+  launch.rising = kind / 2 % 2 != 0;
+  launch.speed = envelope.speedOf(static_cast<int>(kind / 4));
+  for (const std::uint32_t start : run) launch.cells.push_back(start % size);
+  const ReachGrid::Cell& first = grid[launch.cells.front()];
+  launch.apex = grid.rectOf(launch.cells.front()).high.y;
+  if (launch.rising) {
     double highest = -1e300;
     for (const std::uint32_t cell : launch.cells) highest = std::max(highest, grid[cell].highest);
-    launch.apex = highest + envelope.jumpHeight() + envelope.pushGain() + (kind.sloped ? envelope.slopeGain() : 0);
+    launch.apex = highest + envelope.jumpHeight() + envelope.pushGain(launch.speed) +
+                  (first.sloped ? envelope.slopeGain(launch.speed) : 0);
   }
   fly(ReachFlight(world(), launch, crossings), launch);
 }
@@ -198,12 +203,36 @@ void Reach::visit(const ReachVisit& visit) {
     if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint && !isAmong(without_, *wall.element))
       respawn(visit.crossings, *wall.element, wall.node);
   }
-  if (!cell.grounded && (!cell.slowed || (visit.isBelow && !cell.steep))) return;
-  const std::uint32_t start = visit.cell * 2 + (visit.inOneway ? 1 : 0);
+  addStarts(visit, cell);
+}
+
+// A tick on the ground takes a pace from who jumps, but none from who slides or passes an end.
+void Reach::addStarts(const ReachVisit& visit, const ReachGrid::Cell& cell) {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  const int jumping = std::max(envelope.paceOf(visit.speed) - 1, 0);
+  const int falling = envelope.paceOf(cell.steep ? envelope.slidingSpeed(cell.flattest, visit.speed) : visit.speed);
+  if (cell.grounded) addStart(visit, jumping, true);
+  if (cell.slowed && (!visit.isBelow || cell.steep) && (!cell.grounded || falling > jumping))
+    addStart(visit, falling, false);
+}
+
+void Reach::addStart(const ReachVisit& visit, int pace, bool rising) {
+  const std::uint32_t kind = 4 * static_cast<std::uint32_t>(pace) + (rising ? 2 : 0) + (visit.inOneway ? 1 : 0);
+  const std::uint32_t start = kind * static_cast<std::uint32_t>(grids_[visit.node]->size()) + visit.cell;
   std::uint8_t& launched = phase_.launched[visit.node][start];
-  if (launched <= visit.crossings) return;
+  if (launched <= visit.crossings || isOutdone(visit.node, start, visit.crossings)) return;
   launched = static_cast<std::uint8_t>(visit.crossings);
   phase_.pending[visit.crossings][visit.node].push_back(start);
+}
+
+// Whether a faster start from this cell, with no more crossings, is known.
+bool Reach::isOutdone(std::uint32_t node, std::uint32_t start, int crossings) const {
+  const std::vector<std::uint8_t>& launched = phase_.launched[node];
+  const std::size_t step = 4 * grids_[node]->size();
+  for (std::size_t faster = start + step; faster < launched.size(); faster += step) {
+    if (launched[faster] <= crossings) return true;
+  }
+  return false;
 }
 
 // A hazard brings the player back to its last checkpoint. It falls from rest there: an earlier visit to the place may

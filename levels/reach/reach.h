@@ -20,9 +20,14 @@ namespace platon {
 ///
 /// What is assumed of a flight, by the rules of Player: it rises at most by the height of a jump above the ground from
 /// which it started, and by what a slope gives, also when it is late and has fallen before; it moves sideways at most
-/// at the run speed, or the slide speed after a steep segment; its time is bounded by the slowest rise and fall; no
-/// contact gives an upward speed, unless the player can stand there. reach_law_test searches the game itself for places
-/// that this denies.
+/// at the speed with which it started: that of a run, of a slide down a steep segment as far as its slope lets, or that
+/// with which the player landed before, less what a tick on the ground takes; a landing gives no horizontal speed; the
+/// time of a flight is bounded by the slowest rise and fall; no contact gives an upward speed, unless the player can
+/// stand there. reach_law_test searches the game itself for places that this denies.
+///
+/// One thing that the game does is left out: a rise that meets a slope or an end from below is turned aside, up to 1.6
+/// times as fast as a run by one contact, and faster by several. It gets no farther by this, as far as is known, but it
+/// may land faster than is assumed here. What is proved holds as long as no way gains by such a landing.
 class Reach {
  public:
   /// Searches for ways with at most `maxCrossings` crossings, below 255, that touch none of the elements `without`:
@@ -39,8 +44,10 @@ class Reach {
  private:
   static constexpr std::uint8_t kUnreached = 255;
 
-  // Cells from which flights start, in rising order: twice the cell, plus 1 in a one-way segment.
+  // Cells from which flights start: the kind of the start times the cells of the grid, plus the cell. The kind is four
+  // times the pace, plus 2 for a jump, plus 1 in a one-way segment.
   using Starts = std::vector<std::uint32_t>;
+  static constexpr std::uint32_t kKinds = 4 * FlightEnvelope::kPaces;
 
   // Fewest crossings of a fall from a checkpoint, by the checkpoint and the node of its face.
   using Respawned = std::map<std::pair<const Element*, std::uint32_t>, int>;
@@ -71,6 +78,9 @@ class Reach {
   void launch(int crossings, std::uint32_t node, const Starts& run);
   void fly(ReachFlight flight, const ReachLaunch& launch);
   void visit(const ReachVisit& visit);
+  void addStarts(const ReachVisit& visit, const ReachGrid::Cell& cell);
+  void addStart(const ReachVisit& visit, int pace, bool rising);
+  bool isOutdone(std::uint32_t node, std::uint32_t start, int crossings) const;
   void respawn(int crossings, const Element& checkpoint, std::uint32_t node);
   std::uint32_t openedBy(const ReachVisit& visit) const;
   ReachFlight::World world() { return {faces_, grids_, phase_.open, phase_.known, maxCrossings_}; }

@@ -212,10 +212,12 @@ bool ReachFlight::isInTime(int crossings, const State& state) {
   const auto right = static_cast<float>(right_ + sideways + sheet.shift.x);
   const auto apex = static_cast<float>(apex_ + sheet.shift.y);
   const auto speed = static_cast<float>(envelope_.speedAfter(ticks, speed_));
+  const auto landing = static_cast<float>(speedIn(state));
   const bool goesAsFar = rises ? known.apex >= apex : known.apex <= apex;
-  if (known.crossings <= crossings && known.left <= left && known.right >= right && known.speed >= speed && goesAsFar)
+  if (known.crossings <= crossings && known.left <= left && known.right >= right && known.speed >= speed &&
+      known.landing >= landing && goesAsFar)
     return false;
-  known = {left, right, apex, speed, static_cast<std::uint8_t>(crossings)};
+  known = {left, right, apex, speed, landing, static_cast<std::uint8_t>(crossings)};
   return true;
 }
 
@@ -223,7 +225,8 @@ bool ReachFlight::isInTimeForALateJump(const State& state) const {
   const double top = gridOf(state).rectOf(state.cell).high.y - sheets_[state.sheet].shift.y;
   const double down = std::max(0.0, low_ - top - envelope_.lateFall());
   const double aside = std::max(0.0, asideOf(state) - kSideways);
-  return down <= envelope_.lateWay() * envelope_.steepestRise() && length({aside, down}) <= envelope_.lateWay();
+  const double way = envelope_.lateWay(speed_);
+  return down <= way * envelope_.steepestRise() && length({aside, down}) <= way;
 }
 
 std::uint32_t ReachFlight::sheetOf(std::uint32_t node, Vec shift) {

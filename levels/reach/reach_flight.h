@@ -32,6 +32,7 @@ struct ReachVisit {
   Vec shift;          ///< added to a point in the frame of the launch, gives the point in that of the node
   Motion motion = Motion::kFall;
   bool inOneway = false;
+  double speed = 0;      ///< largest horizontal speed that the player may have
   bool isBelow = false;  ///< so nearly below the launch that a fall from here reaches nothing more
 };
 
@@ -40,7 +41,8 @@ struct ReachKnown {
   float left = 1e30F;    ///< smallest x that it may reach at this height, in the frame of the node
   float right = -1e30F;  ///< largest
   float apex = 0;
-  float speed = 0;  ///< horizontal speed that it may have
+  float speed = 0;    ///< horizontal speed that it may have if it is in the cell as late as it may be
+  float landing = 0;  ///< and if it is as early
   std::uint8_t crossings = 255;
 };
 
@@ -71,8 +73,8 @@ class ReachFlight {
         const State state = open_.back();
         open_.pop_back();
         const Sheet& sheet = sheets_[state.sheet];
-        visitor(
-            ReachVisit{sheet.node, state.cell, crossings_, sheet.shift, state.motion, state.inOneway, isBelow(state)});
+        visitor(ReachVisit{sheet.node, state.cell, crossings_, sheet.shift, state.motion, state.inOneway,
+                           speedIn(state), isBelow(state)});
         spread(state);
       }
     }
@@ -100,6 +102,7 @@ class ReachFlight {
   bool isFree(const State& state) const;
   bool isBelow(const State& state) const;
   double asideOf(const State& state) const;
+  double speedIn(const State& state) const { return envelope_.speedAfterWay(asideOf(state), speed_); }
   bool isInTime(int crossings, const State& state);
   bool isInTimeForALateJump(const State& state) const;
   std::uint32_t sheetOf(std::uint32_t node, Vec shift);

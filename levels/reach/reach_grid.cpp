@@ -291,6 +291,7 @@ void ReachGrid::addSlowing(const Line& line, bool steep) {
     if (!below || distance(rect, *below) > kTouch) return;
     cell.slowed = true;
     cell.steep = cell.steep || steep;
+    if (steep) cell.flattest = std::min(cell.flattest, std::max(slopeOf(line), kFlattestSteepSlope));
   });
 }
 

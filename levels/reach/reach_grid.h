@@ -35,6 +35,7 @@ class ReachGrid {
     bool nearOneway = false;  ///< a one-way segment is within reach
     bool atGoal = false;      ///< the player may touch the goal
     std::uint32_t doors = 0;  ///< bits of the doors that block the cell
+    double flattest = 1e300;  ///< tangent of the flattest steep segment below the player
     double highest = -1e300;  ///< y of the highest centre at which the player may stand
   };
 

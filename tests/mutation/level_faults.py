@@ -6,13 +6,13 @@ REACH = "levels/reach/reach.cpp"
 
 LEVEL_FAULTS = [
     at_length("slide-as-slow-as-a-run", REACH,
-              "kind.steep ? envelope.slideSpeed() : envelope.runSpeed();", "envelope.runSpeed();",
+              "cell.steep ? envelope.slidingSpeed(cell.flattest, visit.speed) : visit.speed", "visit.speed",
               "a place that is reached after a slide is called out of reach",
               "ReachTest.ASlideDownASteepSegmentLeadsOverAWiderGap"),
-    at_length("slide-begins-as-a-run", REACH,
-              " && cell.steep == grid[run.back() / 2].steep;", ";",
-              "a slide to the left of which a player may stand is as slow as a run",
-              "ReachTest.ASlideDownASteepSegmentLeadsOverAWiderGap"),
+    at_length("landings-as-slow-as-a-run", REACH,
+              "std::max(envelope.paceOf(visit.speed) - 1, 0)", "0",
+              "who jumps after a slide gets no farther than who runs",
+              "ReachTest.AJumpAfterASlideLeadsOverAWiderGap"),
     at_length("untouched-keys-open-doors", REACH,
               "(element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) && !isAmong(without_, element);",
               "(element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate);",

@@ -81,8 +81,7 @@ const std::vector<Case> kCases = {
      1},
 };
 
-// Ways on which a player that has slid is faster than a run on ground that is not steep. Reach does not follow such
-// speeds: what it allows for slopes and late jumps is more than these ways need.
+// Ways on which a player that has slid is faster than a run on ground that is not steep.
 const std::vector<Case> kFastCases = {
     {"HopAfterASlide",
      "HEXAHEDRON\n0 -314 331 0\n5 0 0\n760\n%\n-330 330 -60 -7.5\n-302.459 350 -8 -18.0734 hazard\n-352 "

@@ -58,8 +58,47 @@ TEST(FlightEnvelopeTest, ARunUpASlopeGivesAHigherJumpButNoneThatIsHigher) {
     most = std::max(most, (top - ground) / 1024.0 - envelope.jumpHeight());
   }
   EXPECT_GT(most, 1);
-  EXPECT_LE(most, envelope.slopeGain() + envelope.pushGain());
-  EXPECT_GT(most, envelope.pushGain()) << "or it would be enough";
+  const double push = envelope.pushGain(envelope.runSpeed());
+  EXPECT_LE(most, envelope.slopeGain(envelope.runSpeed()) + push);
+  EXPECT_GT(most, push) << "or it would be enough";
+}
+
+TEST(FlightEnvelopeTest, ASlideIsAsFastAsItsSlopeLets) {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  const double run = envelope.runSpeed();
+  EXPECT_DOUBLE_EQ(envelope.slidingSpeed(1.19, run), envelope.slideSpeed());
+  EXPECT_DOUBLE_EQ(envelope.slidingSpeed(4, run), run);
+  EXPECT_DOUBLE_EQ(envelope.slidingSpeed(4, 5), 5) << "faster before";
+  double most = 0;
+  for (const std::uint8_t buttons : {kNone, Input::kRight, Input::kLeft}) {
+    PlayedGame played(levelOf("HEXAHEDRON\n0 -400 700 0\n5 0 0\n2000\n%\n-420 673 -20 -20\n%\n%\n%\n%\n%\n"));
+    for (int ticks = 0; ticks < 150; ++ticks) {
+      played.run(1, static_cast<std::uint8_t>(buttons | Input::kDown));
+      most = std::max(most, played.player().velocity.x / 1024.0);
+    }
+  }
+  EXPECT_LE(most, envelope.slidingSpeed(693.0 / 400, run));
+  EXPECT_GT(most, envelope.slidingSpeed(693.0 / 400, run) - 0.1);
+}
+
+// A tick on the ground takes a pace from who has slid, whatever is pressed.
+TEST(FlightEnvelopeTest, ATickOnTheGroundTakesAPaceAtLeast) {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  EXPECT_DOUBLE_EQ(envelope.speedOf(0), envelope.runSpeed());
+  EXPECT_DOUBLE_EQ(envelope.speedOf(FlightEnvelope::kPaces - 1), envelope.slideSpeed());
+  for (const std::uint8_t buttons : {kNone, Input::kRight, Input::kLeft}) {
+    PlayedGame played(
+        levelOf("HEXAHEDRON\n0 -400 500 0\n5 0 0\n2000\n%\n-420 480 -20 0\n-20 0 900 0\n%\n%\n%\n%\n%\n"));
+    const auto pace = [&] { return envelope.paceOf(played.player().velocity.x / 1024.0); };
+    played.run(1, kNone);
+    while (!played.grounded()) played.run(1, kNone);
+    ASSERT_GE(pace(), 4) << "a slide";
+    for (int ticks = 0; ticks < 10; ++ticks) {
+      const int before = pace();
+      played.run(1, buttons);
+      EXPECT_LE(pace(), std::max(before - 1, 0)) << ticks;
+    }
+  }
 }
 
 TEST(FlightEnvelopeTest, AFallFromAGreatHeightTakesAsLongAsInTheGame) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,20 +23,36 @@ class ReachFlightTest : public testing::Test {
     for (std::uint32_t node = 0; node < faces_->all().size(); ++node)
       grids_.push_back(std::make_unique<ReachGrid>(*level_, *faces_, node, 2.0));
   }
-  // A flight from one place on the first face.
-  Visits fly(Vec from, bool rising, double apex, int maxCrossings = 0) {
+  // A flight from one place on the first face. Calls visitor(ReachVisit).
+  template <class Visitor>
+  void fly(Vec from, bool rising, double speed, double apex, int maxCrossings, Visitor&& visitor) {
     std::vector<std::vector<ReachKnown>> known;
     for (const auto& grid : grids_) known.emplace_back(2 * grid->size());
     const ReachFlight::World world{*faces_, grids_, ~0U, known, maxCrossings};
     const auto cell = static_cast<std::uint32_t>(grids_[0]->cellAt(from));
+    ReachFlight(world, {0, rising, false, speed, apex, {cell}}, 0).run(visitor);
+  }
+  Visits fly(Vec from, bool rising, double apex, int maxCrossings = 0) {
     Visits visits;
-    ReachFlight(world, {0, rising, false, FlightEnvelope::measured().runSpeed(), apex, {cell}}, 0)
-        .run([&](const ReachVisit& visit) { visits.emplace(std::pair(visit.node, visit.cell), visit.crossings); });
+    fly(from, rising, run_, apex, maxCrossings,
+        [&](const ReachVisit& visit) { visits.emplace(std::pair(visit.node, visit.cell), visit.crossings); });
     return visits;
+  }
+  // The largest speed at a place, of a flight from (0, 0) on the first face; 0 if it does not get there.
+  double speedAt(Vec place, bool rising, double speed) {
+    const std::size_t cell = grids_[0]->cellAt(place);
+    double most = 0;
+    fly({0, 0}, rising, speed, rising ? 60 : 1, 0, [&](const ReachVisit& visit) {
+      if (visit.node == 0 && visit.cell == cell) most = std::max(most, visit.speed);
+    });
+    return most;
   }
   bool contains(const Visits& visits, Vec place) const {
     return visits.contains({0, static_cast<std::uint32_t>(grids_[0]->cellAt(place))});
   }
+
+  const double run_ = FlightEnvelope::measured().runSpeed();
+  const double slide_ = FlightEnvelope::measured().slideSpeed();
 
   std::shared_ptr<const Level> level_;
   std::optional<UprightFaces> faces_;
@@ -74,6 +91,14 @@ TEST_F(ReachFlightTest, AOnewaySegmentIsPassedFromItsRightOnly) {
   EXPECT_TRUE(contains(visits, {0, 55})) << "upwards";
   EXPECT_TRUE(contains(visits, {0, -27}));
   EXPECT_FALSE(contains(visits, {0, -60})) << "downwards";
+}
+
+TEST_F(ReachFlightTest, ASlideIsSlowerFartherAway) {
+  build({""});
+  EXPECT_DOUBLE_EQ(speedAt({0, -20}, false, slide_), slide_);
+  EXPECT_LT(speedAt({100, -200}, false, slide_), slide_ - 0.5);
+  EXPECT_GT(speedAt({100, -200}, false, slide_), slide_ - 1);
+  EXPECT_DOUBLE_EQ(speedAt({30, -200}, false, run_), run_);
 }
 
 TEST_F(ReachFlightTest, CountsTheEdgesThatItCrosses) {

@@ -42,18 +42,28 @@ std::string lineOf(int side, int x0, int y0, int x1, int y1) {
          std::to_string(y1) + "\n";
 }
 
-// The ramp goes through the floor, on the left of the place where a player can stand or on its right. Nobody gets to
-// an end of it.
+// The ramp goes from edge to edge, so that nobody gets to an end of it.
 TEST(ReachTest, ASlideDownASteepSegmentLeadsOverAWiderGap) {
   const auto crossings = [](int side, const std::string& ramp) {
-    const std::string start = "0 " + std::to_string(side * -170) + " 0 0";
-    const std::string goal = "0 " + std::to_string(side * 220) + " -4";
-    const std::string sides = lineOf(side, -240, -20, -160, -20) + lineOf(side, 120, -20, 240, -20);
-    return Reach(*cubeLevel(start, {sides + ramp}, goal), 0).crossingsToGoal();
+    const std::string start = "0 " + std::to_string(side * -150) + " 150 0";
+    const std::string goal = "0 " + std::to_string(side * 220) + " -184";
+    return Reach(*cubeLevel(start, {lineOf(side, 175, -200, 240, -200) + ramp}, goal), 0).crossingsToGoal();
   };
-  EXPECT_EQ(crossings(1, ""), std::nullopt) << "280 units";
-  EXPECT_EQ(crossings(1, lineOf(1, -190, 200, -190, -240)), std::nullopt) << "nobody slides down a wall";
-  for (const int side : {1, -1}) EXPECT_EQ(crossings(side, lineOf(side, -215, 200, -161, -240)), 0) << side;
+  EXPECT_EQ(crossings(1, ""), std::nullopt);
+  EXPECT_EQ(crossings(1, lineOf(1, -190, 240, -190, -240)), std::nullopt) << "nobody slides down a wall";
+  for (const int side : {1, -1}) EXPECT_EQ(crossings(side, lineOf(side, -239, 239, 37, -239)), 0) << side;
+}
+
+// Who has slid down a ramp to a floor is faster than a run for some ticks.
+TEST(ReachTest, AJumpAfterASlideLeadsOverAWiderGap) {
+  const auto crossings = [](const std::string& ramp, int right) {
+    const std::string floors = "0 -120 20 -120\n" + std::to_string(right) + " -120 498 -120\n";
+    const std::string goal = std::to_string(right + 40) + " -104";
+    return Reach(*levelOf("HEXAHEDRON\n0 -380 430 0\n0 " + goal + "\n1000\n%\n" + ramp + floors + "%\n%\n%\n%\n%\n"), 0)
+        .crossingsToGoal();
+  };
+  EXPECT_EQ(crossings("-400 400 0 -120\n", 300), 0);
+  EXPECT_EQ(crossings("-400 400 0 -120\n", 360), std::nullopt);
 }
 
 TEST(ReachTest, WhatIsNotTouchedOpensNothing) {
