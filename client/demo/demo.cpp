@@ -68,8 +68,15 @@ bool Demo::waitsInVain(const Game& game) const {
 Input Demo::beginWay(const Game& game, std::uint32_t slot) {
   if ((game.player(slot).held & Input::kRestart) != 0 || isCommonStart(tick_ + 1)) return {};
   Solution plan = *way_;
-  for (std::vector<Input>& tick : plan) tick.resize(std::max<std::size_t>(slot + 1, tick.size()), tick.front());
-  for (Input& first : plan.front()) first = pressing(first, Input::kRestart);
+  for (std::vector<Input>& tick : plan) {
+    const Input first = tick.front();
+    if (slot < tick.size()) continue;
+    tick.resize(slot + 1);
+    tick[slot] = first;
+  }
+  for (Input& first : plan.front()) {
+    if (first.buttons != 0) first = pressing(first, Input::kRestart);
+  }
   adopt(game, slot, plan);
   return plan_[step_++];
 }

@@ -77,7 +77,8 @@ std::string describe(const NearServer& server) {
   std::string text = std::to_string(server.info.players) + "/" + std::to_string(server.info.maxPlayers) + " players, " +
                      std::to_string(milliseconds) + " ms";
   if (server.info.needsPassword) text += ", password";
-  if (server.info.version != kProtocolVersion) text += server.info.version > kProtocolVersion ? ", newer" : ", older";
+  if (server.info.version != kProtocolVersion)
+    text += server.info.version > kProtocolVersion ? ", newer version" : ", older version";
   return text;
 }
 

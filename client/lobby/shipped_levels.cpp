@@ -106,7 +106,8 @@ std::optional<Solution> shippedWay(const Level& level) {
     const auto name = std::filesystem::path("ways") / std::filesystem::path(file).stem().concat(".recording");
     const std::string bytes = readBeside(file, name, kMaxWayBytes);
     RecordedWay way = readRecordedWay(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
-    if (way.level && way.level->hash == level.hash) return std::move(way.inputs);
+    const bool isWay = way.level && way.level->hash == level.hash && !way.inputs.empty() && !way.inputs.front().empty();
+    if (isWay) return std::move(way.inputs);
   }
   return std::nullopt;
 }

@@ -42,6 +42,7 @@ void EndlessFall::observe(std::uint32_t ticks, const Game& game, std::uint32_t s
     trial_.reset();
   }
   laps_.enter(faceOf(game, slot));
+  if (laps_.count() >= kRestartLaps) restartsUntil_ = ticks + kRestartTicks;
   if (ticks - grounded_ >= kPatience) tryOut(game, slot);
 }
 
@@ -68,6 +69,7 @@ void EndlessFall::endTrial(const Game& game, std::uint32_t slot, bool lands) {
 void EndlessFall::beginTrial(const Game& game, std::uint32_t slot, std::uint8_t buttons) {
   trial_ = game;
   trialLaps_ = {};
+  trialTicks_ = 0;
   inputs_.clear();
   for (std::uint32_t other = 0; other < game.slots(); ++other) inputs_.push_back({game.player(other).held});
   inputs_[slot] = {buttons};
@@ -78,7 +80,8 @@ std::optional<bool> EndlessFall::advanceTrial(std::uint32_t slot) {
   trial_->advance(inputs_);
   trialLaps_.enter(faceOf(*trial_, slot));
   if (!isFalling(trial_->player(slot))) return true;
-  return trialLaps_.count() < kHintLaps ? std::nullopt : std::optional(false);
+  const bool isOpen = trialLaps_.count() < kHintLaps && ++trialTicks_ < kMaxTrialTicks;
+  return isOpen ? std::nullopt : std::optional(false);
 }
 
 }  // namespace platon

@@ -12,7 +12,7 @@ namespace platon {
 class FallLaps {
  public:
   /// Notes that the ball is on this face. A lap ends on a face on which the ball has been in this lap, after four or
-  /// more: who goes round a corner of a solid, or to and fro over an edge, makes none.
+  /// more: who goes round a corner of three faces, or to and fro over an edge, makes none.
   void enter(std::uint32_t face);
   int count() const { return count_; }
 
@@ -27,9 +27,12 @@ class FallLaps {
 class EndlessFall {
  public:
   static constexpr std::uint32_t kPatience = kTicksPerSecond;  ///< ticks without ground, then the fall is tried out
-  static constexpr std::uint32_t kTrialTicks = 64;             ///< simulated for each tick, of all players together
+  /// Simulated for each tick, of all players together: with more than 32, the second lap often tells first.
+  static constexpr std::uint32_t kTrialTicks = 64;
+  static constexpr std::uint32_t kMaxTrialTicks = 60 * kTicksPerSecond;  ///< a trial of so many does not land
   static constexpr int kHintLaps = 2;     ///< a trial of so many laps does not land; a fall of so many needs the hint
   static constexpr int kRestartLaps = 3;  ///< a fall of so many needs a restart
+  static constexpr std::uint32_t kRestartTicks = 12;  ///< so long it is asked for
 
   /// `game` is the predicted game after `ticks` ticks, with a player in `slot`. Ignored unless `ticks` exceeds that of
   /// all earlier calls: replaying ticks counts none twice.
@@ -38,8 +41,8 @@ class EndlessFall {
   /// Whether the path of the player does not land, or its second lap is over. Neither holds any more once it stands,
   /// touches the goal, restarts or leaves.
   bool needsHint() const { return isEndless_ || laps_.count() >= kHintLaps; }
-  /// Whether its third lap is over.
-  bool needsRestart() const { return laps_.count() >= kRestartLaps; }
+  /// Whether its third lap is over. True for some ticks, because an input may come too late at the server.
+  bool needsRestart() const { return newest_ < restartsUntil_; }
 
  private:
   void tryOut(const Game& game, std::uint32_t slot);
@@ -50,10 +53,12 @@ class EndlessFall {
   std::uint32_t newest_ = 0;    // last tick observed
   std::uint32_t grounded_ = 0;  // last tick from which the fall is counted
   FallLaps laps_;
+  std::uint32_t restartsUntil_ = 0;   // tick
   bool isEndless_ = false;            // what the last trials have told
   std::optional<std::uint8_t> held_;  // buttons that are or were tried out
   std::optional<Game> trial_;         // while one runs
   FallLaps trialLaps_;
+  std::uint32_t trialTicks_ = 0;
   std::vector<Input> inputs_;  // of each tick of the trial
 };
 

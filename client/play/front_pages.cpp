@@ -329,7 +329,7 @@ std::string FrontPages::hostFault() const {
   const LevelEntry& first = entries_[hostForm_.level];
   if (hostForm_.players >= first.players) return "";
   return first.title + " needs " + std::to_string(first.players) +
-         " players: allow at least so many, or choose another first level.";
+         " players: allow at least that many, or choose another first level.";
 }
 
 void FrontPages::host() {

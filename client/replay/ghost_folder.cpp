@@ -34,8 +34,8 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
 }  // namespace
 
 std::string playedInVain(const fs::path& folder) {
-  return folder.string() + ": has more than " + std::to_string(kMaxPlayedInVain) +
-         " recordings on this level that are not the runs that they seem to be; remove them, so that others are read";
+  return folder.string() + ": " + std::to_string(kMaxPlayedInVain) +
+         " recordings on this level are not the runs that their names tell, so the others are not read; remove them";
 }
 
 std::string ghostNameOf(const fs::path& file) {

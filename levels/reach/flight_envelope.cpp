@@ -24,7 +24,6 @@ Game standingGame() {
   return game;
 }
 
-// Runs off the edge of the floor at the highest speed: falls from rest are measured on jumps.
 double heightOf(const Game& game) { return game.world().entities()[0].position.y / kSubunits; }
 
 // Height by which the steepest ground rises on a way of 1 along it.

@@ -13,10 +13,10 @@
 namespace platon {
 
 /// Where a player can get, at most, and with how few crossings of edges. Over-approximates the game: a place that is
-/// not reached here with n crossings is not reached in the game with n crossings, whatever is pressed. So it proves
-/// that a level needs its crossings. A door is open from where one of its keys or plates was touched, and for ever; on
-/// levels for several players, and of more than kMostNumbers numbers those beyond, from the start. A door without keys
-/// and plates is never open. More players than the level needs may get farther.
+/// not reached here with n crossings is not reached in the game with n crossings, whatever is pressed, as long as what
+/// is assumed below holds. So it proves that a level needs its crossings. A door is open from where one of its keys or
+/// plates was touched, and for ever; on levels for several players, and of more than kMostNumbers numbers those beyond,
+/// from the start. A door without keys and plates is never open. More players than the level needs may get farther.
 ///
 /// What is assumed of a flight, by the rules of Player: it rises at most by the height of a jump above the ground from
 /// which it started, and by what a slope gives, also when it is late and has fallen before; it moves sideways at most

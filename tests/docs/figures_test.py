@@ -243,7 +243,7 @@ FIGURES = [
     Figures("docs/fleet.md", "A call takes at most {} s", constant(LINK, "kCallLimit", 0.001)),
     Figures("docs/fleet.md", "is made again after {} s, doubled up to {} s", RETRY),
     Figures("docs/fleet.md", "The place is reserved for {} s at most", COUNT),
-    Figures("docs/fleet.md", "When nobody has played for {} s, it is *ready* again", EMPTY),
+    Figures("docs/fleet.md", "When nobody has played for {} s, and nobody was sent there in this time, it is *ready* again", EMPTY),
     Figures("docs/fleet.md", "for at most {} s, which is more than a round takes", lambda sources: grace(sources)[:1]),
     Figures("docs/fleet.md", "and have {} s more to stop", lambda sources: grace(sources)[1:]),
     Figures("docs/fleet.md", "than a round takes ({} minutes)", constant("shared/include/platon/game/game.h", "kRoundTicks", 1 / 3600)),
@@ -261,8 +261,8 @@ FIGURES = [
     Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
     Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
     Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_folder.h", "kMaxReports")),
-    Figures("docs/playing.md", "fallen for {} s, and would not land within {} laps, is told that R returns to the start; "
-            "after lap {} the client presses R itself", hint),
+    Figures("docs/playing.md", "fallen for {} s and would not land within {} laps, or have fallen for as many, you are told that R "
+            "returns to the start; after lap {} the client presses R itself", hint),
     Figures("docs/playing.md", "{} high and about {} wide", lambda sources: jump(sources)[1:]),
     Figures("docs/playing.md", "rises or falls by at most {} a tick", apex),
     Figures("docs/playing.md", "at most {} a tick, and {} while down is held", falls),

@@ -140,9 +140,9 @@ TEST_F(NearServersTest, SaysWhatKeepsAPlayerOut) {
   NearServer server;
   server.info.version = kProtocolVersion + 1;
   server.info.needsPassword = true;
-  EXPECT_EQ(describe(server), "0/0 players, 0 ms, password, newer");
+  EXPECT_EQ(describe(server), "0/0 players, 0 ms, password, newer version");
   server.info.version = kProtocolVersion - 1;
-  EXPECT_EQ(describe(server), "0/0 players, 0 ms, password, older");
+  EXPECT_EQ(describe(server), "0/0 players, 0 ms, password, older version");
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST_F(FrontPagesTest, ALevelForTwoIsNotHostedForOne) {
   tap(Key::kArrowDown, 3);
   tap(Key::kEnter);
   EXPECT_FALSE(started_);
-  EXPECT_TRUE(shows("Hold the door needs 2 players: allow at least so many"));
+  EXPECT_TRUE(shows("Hold the door needs 2 players: allow at least that many"));
   tap(Key::kArrowUp, 3);
   tap(Key::kArrowRight);
   tap(Key::kArrowDown, 3);

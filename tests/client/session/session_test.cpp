@@ -1,4 +1,5 @@
 #include "client/session/session.h"
+#include "client/netcode/endless_fall.h"
 
 #include <gtest/gtest.h>
 
@@ -369,23 +370,28 @@ TEST(Session, LeavesAServerWhoseGameIsTooSlowOnThisComputer) {
   EXPECT_EQ(updatesUntilEnd(milliseconds(2000), 100), 1 + 6);  // each counts as 1 s
 }
 
-// Notes the ticks in which the player of slot 0 restarts, and on how many edges it has been since.
+// Notes when the player of slot 0 begins to press restart, and on how many edges it has been since.
 class RestartObserver : public ConfirmedObserver {
  public:
   void began(const Game&, std::uint32_t) override {}
   void advanced(std::span<const Input> inputs, const Game& game) override {
-    if (!inputs.empty() && inputs[0].has(Input::kRestart)) {
+    const bool presses = !inputs.empty() && inputs[0].has(Input::kRestart);
+    if (presses) ++ticks;
+    if (presses && !presses_) {
       crossings.push_back(crossings_);
       isAtStart.push_back(game.world().entities()[0].part == game.level().startFace);
     }
+    presses_ = presses;
     if (game.slots() > 0) crossings_ = game.world().entities()[0].crossings;
   }
 
   std::vector<std::uint32_t> crossings;  // before each restart
   std::vector<bool> isAtStart;           // after it
+  std::uint32_t ticks = 0;               // in which restart is pressed
 
  private:
   std::uint32_t crossings_ = 0;
+  bool presses_ = false;
 };
 
 // A cube without a floor: round it once is four edges. The server decides what the client has pressed, so it is
@@ -403,6 +409,7 @@ TEST(Session, AfterTheThirdLapOfAFallTheClientPressesRestart) {
   EXPECT_EQ(observer->isAtStart, std::vector<bool>({true, true}));
   ASSERT_EQ(observer->crossings.size(), 2u);
   EXPECT_EQ(observer->crossings[0], 12u);
+  EXPECT_EQ(observer->ticks, 2 * EndlessFall::kRestartTicks) << "so that one late input does not lose it";
 }
 
 }  // namespace
