@@ -415,7 +415,4 @@ SERVER_FAULTS = [
               "fault == EADDRINUSE ? ProgramError::kFailed : ProgramError::kUsage", "ProgramError::kUsage",
               "systemd does not start a server again whose port another program had",
               "MetricsServer.SaysWhyItCannotListen"),
-    at_length("lost-bans-exit-with-0", APP + "server_program.cpp", "return !lost;", "return true;",
-              "a server that has lost bans stops as if it had kept them",
-              "UnwrittenBanTest.BansThatAreLostAtTheStopExitWith1"),
 ]  # fmt: skip
