@@ -69,10 +69,9 @@ Input Demo::beginWay(const Game& game, std::uint32_t slot) {
   if ((game.player(slot).held & Input::kRestart) != 0 || isCommonStart(tick_ + 1)) return {};
   Solution plan = *way_;
   for (std::vector<Input>& tick : plan) {
-    const Input first = tick.front();
     if (slot < tick.size()) continue;
     tick.resize(slot + 1);
-    tick[slot] = first;
+    tick[slot] = tick.front();
   }
   for (Input& first : plan.front()) {
     if (first.buttons != 0) first = pressing(first, Input::kRestart);

@@ -59,7 +59,8 @@ inline constexpr std::uint16_t kNearPorts = 4;
 NearServers searchNearby();
 
 bool isSilent(const NearServer& server);
-/// "2/8 players, 3 ms", and what keeps a player out: "password", "newer" or "older" than this program; or "no answer".
+/// "2/8 players, 3 ms", and what keeps a player out: "password", "newer version" or "older version" of the protocol; or
+/// "no answer".
 std::string describe(const NearServer& server);
 /// What a line of a printed list says of a server.
 struct ServerRow {
