@@ -116,8 +116,8 @@ void Renderer::drawSolid(const Scene& scene, const Camera& camera, const StagePa
     stagePainter_.drawBelow(scene, views.outer, decoration, textPainter_);
   }
   const glm::uvec2 pixels(target_.sampledWidth(), target_.sampledHeight());
-  stagePainter_.drawWalls(stage, views.outer, pixels);
-  stagePainter_.drawWalls(stage, views.onlyWalls, pixels);
+  stagePainter_.drawWalls(stage, views.outer, pixels, decoration.crossing);
+  stagePainter_.drawWalls(stage, views.onlyWalls, pixels, decoration.crossing);
   {
     const DecalScope scope;
     stagePainter_.drawAbove(scene, views.outer, textPainter_);

@@ -83,9 +83,10 @@ void StagePainter::drawSign(const StageModel& stage, const FaceView& view) {
   markers_.draw(stage, view, {view.face, sign.place, 0}, look);
 }
 
-void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels) {
-  walls_.draw(stage, views, pixels, highContrast_);
-  if (!shares_.empty()) elementWalls_.draw(stage, views, pixels, highContrast_);
+void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels,
+                             const EdgeCrossing& crossing) {
+  walls_.draw(stage, views, pixels, highContrast_, crossing.tint());
+  if (!shares_.empty()) elementWalls_.draw(stage, views, pixels, highContrast_, crossing.tint());
 }
 
 void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views, TextPainter& text) {

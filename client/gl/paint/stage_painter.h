@@ -45,7 +45,8 @@ class StagePainter {
   /// Draws what lies flat on the faces: signs or numbers, marks, markers, elements, trails and shadows.
   void drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration, TextPainter& text);
   /// Draws the walls, with depth, into a picture of this size in pixels.
-  void drawWalls(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels);
+  void drawWalls(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels,
+                 const EdgeCrossing& crossing);
   /// Draws what lies on the walls.
   void drawAbove(const Scene& scene, std::span<const FaceView> views, TextPainter& text);
 

@@ -30,7 +30,8 @@ void WallPainter::load(const WallMesh& mesh) {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
 }
 
-void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast) {
+void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast,
+                       const std::optional<EdgeCrossing::Tint>& tint) {
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glBindVertexArray(array_.name());
@@ -45,6 +46,8 @@ void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views,
     program_.set("light", glm::vec3(faceLight(stage.mesh, view.face)));
     program_.set("ground", highContrast ? Colour(1) : stage.faces[face].colour);
     program_.set("lit", litOf(view));
+    const bool tinted = tint && tint->face == view.face;
+    program_.set("up", tinted ? tint->up * static_cast<float>(tint->light) : glm::vec2(0));
     DrawCalls::elements(GL_TRIANGLES, static_cast<GLsizei>(faces_[face].count), GL_UNSIGNED_INT,
                         bufferOffset(faces_[face].first * sizeof(std::uint32_t)));
   }

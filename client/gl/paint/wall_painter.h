@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "client/gl/gl_handle.h"
 #include "client/gl/shader_program.h"
 #include "client/scene/face_view.h"
+#include "client/scene/look/edge_crossing.h"
 #include "client/scene/look/wall_mesh.h"
 #include "client/scene/stage_model.h"
 
@@ -17,8 +19,9 @@ class WallPainter {
 
   /// Replaces the walls that are drawn.
   void load(const WallMesh& mesh);
-  /// Draws the walls of these faces into a picture of this size.
-  void draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast);
+  /// Draws the walls of these faces into a picture of this size, floors with this tint.
+  void draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast,
+            const std::optional<EdgeCrossing::Tint>& tint);
 
  private:
   ShaderProgram program_;

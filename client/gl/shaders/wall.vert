@@ -9,8 +9,10 @@ uniform vec3 ground;      // colour of the face
 uniform float lit;
 uniform vec2 pixels;      // half the size of the picture
 uniform float asideScale; // level units per unit of `aside`
+uniform vec2 up;          // of the ball on the face, as long as floors are bright: 0 … 1
 out vec3 shade;
 
+const vec3 kFloor = vec3(1.0, 0.72, 0.20);
 const float kLeast = 0.52; // half the least width of a top, pixels
 
 // How a point at `clip` moves on the picture when it goes this way on the face.
@@ -40,6 +42,14 @@ float brightnessOfTop(float facing) { return mix(0.4, 1.0, smoothstep(0.0, 0.12,
 // plates that belong to nothing.
 float shareOfWall(float facing) { return mix(0.15, 1.0, smoothstep(0.0, 0.55, facing)); }
 
+// How much of the tint a wall has: all if it is level or a slope on which a ball can stand, nothing on steep ones. The
+// top of a wall has the tint of its side that is turned up.
+float shareOfFloor() {
+  vec2 across = aside == vec2(0) ? normal.xy : normalize(aside);
+  float rise = dot(across, up);
+  return smoothstep(0.60, 0.72, aside == vec2(0) ? rise : abs(rise));
+}
+
 void main() {
   float sun = max(dot(normal, light), 0.0);
   float facing = normalize(eye - place).z;
@@ -49,5 +59,5 @@ void main() {
   float top = step(0.9, normal.z);
   if (top > 0.0) top = brightnessOfTop(facing);
   if (aside != vec2(0)) gl_Position = widened(gl_Position);
-  shade = mix(side, colour, top) * lit;
+  shade = mix(mix(side, colour, top), kFloor, shareOfFloor()) * lit;
 }

@@ -15,8 +15,9 @@ namespace platon {
 namespace {
 
 constexpr double kFullSpeed = 60;  // towards an edge, from which it has its full light, level units a second
-constexpr double kArrowRise = 0.12;
+constexpr double kRise = 0.12;
 constexpr double kArrowFade = 0.35;
+constexpr double kTintFade = 0.9;
 
 // The angle of a marker whose up is this.
 double angleOf(glm::dvec2 up) { return std::atan2(-up.x, up.y); }
@@ -91,21 +92,22 @@ EdgeCrossing::Glow& EdgeCrossing::glowOf(const SolidMesh& mesh, int edge) {
   return found == glows_.end() ? glows_.emplace_back() : *found;
 }
 
-// The arrow goes with the ball.
+// The arrow goes with the ball, and the tint with its face.
 void EdgeCrossing::follow(const StageModel& stage, const Pose& pose, bool crossed, double passed) {
+  const glm::dvec2 up = onFace(stage.mesh, face_, pose.up, 0);
   arrowAge_ = std::min(arrowAge_ + passed, kArrowSeconds);
   sinceCrossing_ = std::min(sinceCrossing_ + passed, kArrowPause);
   if (crossed && sinceCrossing_ >= kArrowPause) arrowAge_ = 0;
   if (crossed) sinceCrossing_ = 0;
-  if (arrowAge_ >= kArrowSeconds) return;
-  const glm::dvec2 up = onFace(stage.mesh, face_, pose.up, 0);
   const glm::dvec2 place = onFace(stage.mesh, face_, pose.position, 1) - kArrowBelow * up;
-  arrow_ = {face_, glm::vec2(place), angleOf(up)};
+  if (arrowAge_ < kArrowSeconds) arrow_ = {face_, glm::vec2(place), angleOf(up)};
+  tintAge_ = crossed ? kRise * tint_.light : std::min(tintAge_ + passed, kTintSeconds);
+  tint_ = {face_, glm::vec2(up), std::min({1.0, tintAge_ / kRise, (kTintSeconds - tintAge_) / kTintFade})};
 }
 
 std::optional<EdgeCrossing::Arrow> EdgeCrossing::arrow() const {
   if (arrowAge_ >= kArrowSeconds) return std::nullopt;
-  return Arrow{arrow_, std::min({1.0, arrowAge_ / kArrowRise, (kArrowSeconds - arrowAge_) / kArrowFade})};
+  return Arrow{arrow_, std::min({1.0, arrowAge_ / kRise, (kArrowSeconds - arrowAge_) / kArrowFade})};
 }
 
 }  // namespace platon

@@ -12,8 +12,9 @@
 namespace platon {
 
 /// What shows that edges are doors and that down is carried over them: an edge that the local player can cross lights
-/// up while the ball is near, and after a crossing an arrow beside the ball points down for a moment. A ball that falls
-/// over edge after edge shows it once. Computed from its poses alone. It decides nothing.
+/// up while the ball is near, and after a crossing an arrow beside the ball points down for a moment and the walls that
+/// are floors now are tinted. A ball that falls over edge after edge shows the arrow once. Computed from its poses
+/// alone. It decides nothing.
 class EdgeCrossing {
  public:
   static constexpr double kReach = 40;  ///< largest distance from the ball to an edge that is lit, level units
@@ -22,6 +23,7 @@ class EdgeCrossing {
   static constexpr double kRiseSeconds = 0.12;
   static constexpr double kFadeSeconds = 0.3;
   static constexpr double kArrowSeconds = 0.8;
+  static constexpr double kTintSeconds = 2.4;
   static constexpr double kArrowPause = 2;   ///< without a crossing, before the next one shows an arrow
   static constexpr double kArrowBelow = 36;  ///< from the ball to the middle of the arrow, level units
   static constexpr double kMaxStep = 60;     ///< a longer way between two pictures is a jump, such as a restart
@@ -37,6 +39,13 @@ class EdgeCrossing {
     double light = 0;  ///< 0 … 1
   };
 
+  /// Walls whose outward normal points this way on the face carry the ball.
+  struct Tint {
+    int face = 0;
+    glm::vec2 up{0};   ///< unit
+    double light = 0;  ///< 0 … 1
+  };
+
   /// The local player is at `pose` at `seconds`. A time before the last one, or a jump, begins anew.
   void advance(const StageModel& stage, const ElementStates& states, const Pose& pose, double seconds);
   /// Nothing is lit, and there is no arrow.
@@ -47,6 +56,7 @@ class EdgeCrossing {
   /// Each edge at most once.
   const std::vector<Glow>& glows() const { return glows_; }
   std::optional<Arrow> arrow() const;
+  std::optional<Tint> tint() const { return tint_.light > 0 ? std::optional(tint_) : std::nullopt; }
 
  private:
   void begin(const Pose& pose, int face, double seconds);
@@ -62,6 +72,8 @@ class EdgeCrossing {
   double seconds_ = 0;
   Marker arrow_;
   double arrowAge_ = kArrowSeconds;
+  Tint tint_;
+  double tintAge_ = kTintSeconds;
   double sinceCrossing_ = kArrowPause;  // seconds, at most kArrowPause
 };
 

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include "tests/client/gl/render_fixture.h"
+#include "tests/client/scene/surface_walk.h"
 
 namespace platon::wall_painter_test {
 namespace {
@@ -54,6 +55,31 @@ TEST_F(RenderTest, ASideOnAFaceThatIsTurnedAwayHasTheColourOfTheFace) {
   const double face = brightness(glm::vec3(scene.stage->faces[0].colour));
   EXPECT_NEAR(sideSeenFrom(20), 0.8 * face, 0.05);
   EXPECT_GT(sideSeenFrom(1600), face) << "the wall from above";
+}
+
+TEST_F(RenderTest, FloorsOfTheFaceAreTintedAfterACrossing) {
+  Scene scene = sceneOf(stageOf("HEXAHEDRON", 6, "-200 -100 -100 -100\n0 -150 100 -50\n150 -200 150 0\n"));
+  const SolidMesh& mesh = scene.stage->mesh;
+  scene.players = {playerAt(*scene.stage, 0, 0, {0, 0})};
+  scene.players[0].local = true;
+  camera_.resize(kWidth, kHeight);
+  camera_.place(mesh.toWorld(0, {0, -100}) + 700.0 * mesh.normal(0), mesh.normal(0), mesh);
+  SurfaceWalk walk{&mesh, 0, {236, 100}, 0};
+  const auto yellowness = [&](glm::dvec2 way, glm::dvec2 place) {
+    walk.step(way);
+    for (int frame = 0; frame < 12; ++frame) {
+      scene.seconds += 1.0 / 60;
+      scene.players[0].pose = walk.pose();
+      renderer_.draw(scene, camera_, {}, PictureStyle());
+    }
+    const glm::vec3 seen = pixel(renderer_.read(), pixelOfTop(scene, place));
+    return seen.r - seen.b;
+  };
+  EXPECT_LT(yellowness({0, 0}, {-150, -100}), 0.2) << "no edge has been crossed";
+  EXPECT_LT(yellowness({8, 0}, {-150, -100}), 0.2) << "on the next face";
+  EXPECT_GT(yellowness({-8, 0}, {-150, -100}), 0.4) << "level";
+  EXPECT_GT(yellowness({0, 0}, {50, -100}), 0.4) << "slope";
+  EXPECT_LT(yellowness({0, 0}, {150, -100}), 0.2) << "steep";
 }
 
 }  // namespace

@@ -157,12 +157,44 @@ TEST_F(EdgeCrossingTest, WhoCrossesEdgeAfterEdgeSeesOneBriefArrow) {
   EXPECT_TRUE(crossing_.arrow());
 }
 
+TEST_F(EdgeCrossingTest, FloorsOfTheNewFaceAreTinted) {
+  for (const double angle : {0.0, 1.2, 3.0}) {
+    standAt(0, {236, 20}, angle);
+    EXPECT_FALSE(crossing_.tint());
+    const glm::dvec2 toEdge(std::cos(angle), -std::sin(angle));  // in the frame of the ball
+    while (walk_.face == 0) step(kRun * toEdge);
+    step({0, 0});
+    const auto tint = crossing_.tint();
+    ASSERT_TRUE(tint);
+    EXPECT_EQ(tint->face, walk_.face);
+    const glm::dvec3 up(stage_->mesh.faceToWorld(tint->face) * glm::dvec4(tint->up, 0, 0));
+    EXPECT_LT(glm::distance(up, walk_.pose().up), 1e-6);
+    EXPECT_NEAR(secondsUntil([this] { return !crossing_.tint(); }), EdgeCrossing::kTintSeconds, 2.5 * kFrame);
+    crossing_.reset();
+  }
+}
+
+TEST_F(EdgeCrossingTest, TheTintGoesOverToTheNextFaceWithoutAFlash) {
+  standAt(0, {238, 20});
+  step({kRun, 0});
+  for (int i = 0; i < 20; ++i) step({0, 0});
+  const int first = walk_.face;
+  double last = crossing_.tint()->light;
+  while (walk_.face == first) {
+    step({-kRun, 0});
+    EXPECT_NEAR(crossing_.tint()->light, last, 0.05);
+    last = crossing_.tint()->light;
+  }
+  EXPECT_EQ(crossing_.tint()->face, walk_.face);
+}
+
 TEST_F(EdgeCrossingTest, ARestartBeginsAnew) {
   standAt(0, {238, 20});
   step({kRun, 0});
   ASSERT_TRUE(crossing_.arrow());
   standAt(0, {0, 0});
   EXPECT_FALSE(crossing_.arrow());
+  EXPECT_FALSE(crossing_.tint());
   EXPECT_TRUE(crossing_.glows().empty());
 }
 
