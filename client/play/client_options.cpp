@@ -31,6 +31,7 @@ void describeFrameOptions(ProgramOptions& program, FrameOptions& frames) {
       .group(kGroup);
   program.add("--from", frames.from, "Seconds of play before the first frame").range(0.0, 300.0).group(kGroup);
   program.add("--width", frames.width, "Pixels; the height is 9/16 of it").range(64, 3840).showDefault().group(kGroup);
+  program.add("--zoom", frames.zoom, "How near the camera is").range(0.5, 2.0).showDefault().group(kGroup);
   program.add("--players", frames.players, "Players; each starts a second after the one before")
       .range(1, 4)
       .showDefault()
@@ -96,7 +97,7 @@ void checkMode(const ProgramOptions& program, const std::string& mode, const std
   if (file.empty() && program.given(mode)) throw std::invalid_argument(mode + " needs the name of a file");
   if (file.empty()) return;
   refuse(program, mode,
-         {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps", "--from", "--width",
+         {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps", "--from", "--width", "--zoom",
           "--players", "--edit", "--replay"});
   if (options.offscreen && options.screenshot.empty())
     throw std::invalid_argument(mode + " with --offscreen needs --screenshot FILE.png");
@@ -108,14 +109,14 @@ void checkBenchmark(const ProgramOptions& program, const ClientOptions& options)
   if (!options.offscreen) throw std::invalid_argument("--benchmark needs --offscreen");
   refuse(program, "--benchmark",
          {"HOST", "--name", "--password-file", "--demo", "--seconds", "--screenshot", "--frames", "--fps", "--from",
-          "--width", "--players", "--edit", "--replay"});
+          "--width", "--zoom", "--players", "--edit", "--replay"});
 }
 
 void checkList(const ProgramOptions& program, const ClientOptions& options) {
   if (!options.list) return;
   refuse(program, "--list",
          {"HOST", "--level", "--name", "--password-file", "--offscreen", "--demo", "--seconds", "--screenshot",
-          "--benchmark", "--frames", "--fps", "--from", "--width", "--players", "--edit", "--replay"});
+          "--benchmark", "--frames", "--fps", "--from", "--width", "--zoom", "--players", "--edit", "--replay"});
 }
 
 void checkListUrl(const ProgramOptions& program, const ClientOptions& options) {

@@ -11,6 +11,7 @@ struct FrameOptions {
   int perSecond = 30;          ///< divides kTicksPerSecond
   double from = 0;             ///< seconds of play before the first frame
   std::uint32_t width = 1280;  ///< pixels; the height is 9/16 of it
+  double zoom = 1;             ///< of the camera, 0.5 … 2
   std::uint32_t players = 1;   ///< each starts a second after the one before; the camera follows the first
 };
 

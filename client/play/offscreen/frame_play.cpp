@@ -63,7 +63,9 @@ void FramePlay::advance() {
 
 void FramePlay::writeFrame(std::uint32_t frame) {
   const Scene scene = game_.scene();
-  view_.draw(&scene, HudStatus(), Settings(), Overlay(), double{1} / options_.perSecond);
+  Settings settings;
+  settings.zoom = options_.zoom;
+  view_.draw(&scene, HudStatus(), settings, Overlay(), double{1} / options_.perSecond);
   writePng(view_.read(), frameFile(options_.folder, frame));
 }
 
