@@ -18,9 +18,9 @@ import window_pictures
 
 FOLDER = "docs/pictures"
 FRAMES_PER_SECOND = 20
-MAX_GIF_BYTES = 1_500_000
+MAX_GIF_BYTES = 2_000_000
 
-FILM = {"name": "crossing.gif", "level": "hexahedron/03_a_wall_becomes_a_floor", "from": 0.0, "seconds": 5.4, "width": 640}
+FILM = {"name": "crossing.gif", "level": "dodecahedron/19_the_wall_is_a_ramp", "from": 0.0, "seconds": 4.4, "width": 640, "zoom": 1.7}
 STILLS = [
     {"name": "hexahedron.png", "level": "hexahedron/02_over_the_edge", "from": 8.0, "players": 2},
 ]
@@ -46,7 +46,7 @@ def run(*command):
 def draw_frames(client, root, picture, folder, seconds):
     """The frames of a picture, in order."""
     options = ["--from", picture["from"], "--seconds", seconds, "--fps", FRAMES_PER_SECOND]
-    options += ["--width", picture.get("width", 1280), "--players", picture.get("players", 1)]
+    options += ["--width", picture.get("width", 1280), "--zoom", picture.get("zoom", 1), "--players", picture.get("players", 1)]
     level = root / "levels" / (picture["level"] + ".level")
     run(client, "--offscreen", "--demo", "--level", level, "--frames", folder, *options)
     return sorted(Path(folder).glob("*.png"))
