@@ -1,46 +1,33 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
-
-#include "server/base/utc_time.h"
 
 namespace platon {
 
-/// What the metrics of a server report. Counters count since its start.
-struct Metrics {
-  /// What has been rejected for one reason.
-  struct Drop {
-    std::string_view reason;  ///< in snake_case
-    std::uint64_t count = 0;
-  };
-
-  UtcTime startedAt;  ///< when the program started
-  std::string version;
-  std::string serverName;
-  std::uint64_t connectedPlayers = 0;
-  std::uint64_t disconnectedPlayers = 0;
-  std::uint64_t maxPlayers = 0;
-  std::uint64_t bans = 0;
-  std::uint64_t tickCount = 0;
-  std::uint64_t tickSumUs = 0;  ///< of all ticks, microseconds
-  std::uint64_t tickP50Us = 0;  ///< of the last minutes, as the next two; 0 without ticks
-  std::uint64_t tickP99Us = 0;
-  std::uint64_t tickMaxUs = 0;
-  std::uint64_t droppedTicks = 0;
-  std::uint64_t receivedBytes = 0;  ///< payload of datagrams
-  std::uint64_t sentBytes = 0;
-  std::uint64_t missedInputs = 0;
-  std::uint64_t desyncs = 0;
-  std::vector<Drop> drops;
-  std::uint64_t stoppedRecordings = 0;
-  std::uint64_t unwrittenBans = 0;  ///< how often the file could not be written, as the next one
-  std::uint64_t unwrittenBestTimes = 0;
+/// A value of a metric.
+struct MetricSample {
+  std::string value;                                             ///< a number that is not negative
+  std::vector<std::pair<std::string_view, std::string>> labels;  ///< names and values, in UTF-8
+  std::string_view suffix;                                       ///< of the name: "_sum" or "_count" of a summary
 };
 
+/// What a server reports under one name.
+struct Metric {
+  std::string_view name;
+  std::string_view type;  ///< "counter", which ends with _total and counts since the start, "gauge" or "summary"
+  std::string_view help;  ///< a sentence without \ and line feeds
+  std::vector<MetricSample> samples;
+};
+
+/// A time in microseconds as a decimal number of seconds, exactly.
+std::string secondsText(std::uint64_t microseconds);
+
 /// The metrics in the text format of Prometheus, version 0.0.4.
-std::string formatMetrics(const Metrics& metrics);
+std::string formatMetrics(std::span<const Metric> metrics);
 
 }  // namespace platon

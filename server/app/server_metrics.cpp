@@ -1,39 +1,76 @@
 #include "server/app/server_metrics.h"
 
+#include <algorithm>
+
 #include "platon_version.h"
 
 namespace platon {
 namespace {
 
-std::vector<Metrics::Drop> dropsOf(const DedicatedServer& server) {
-  std::vector<Metrics::Drop> drops;
-  for (const Rejection& each : server.rejections()) drops.push_back({each.reason, each.count});
-  return drops;
+using Samples = std::vector<MetricSample>;
+
+Samples one(std::uint64_t value) { return {{std::to_string(value), {}, {}}}; }
+
+Samples players(const DedicatedServer& server) {
+  const std::vector<PlayerStatus> all = server.match().playerStatus();
+  const auto connected = std::count_if(all.begin(), all.end(), [](const auto& player) { return player.client; });
+  const auto disconnected = static_cast<std::ptrdiff_t>(all.size()) - connected;
+  return {{std::to_string(connected), {{"state", "connected"}}, {}},
+          {std::to_string(disconnected), {{"state", "disconnected"}}, {}}};
+}
+
+Samples tickTimes(const TickTimes& all, const TickTimes& recent) {
+  return {{secondsText(recent.quantile(0.5)), {{"quantile", "0.5"}}, {}},
+          {secondsText(recent.quantile(0.99)), {{"quantile", "0.99"}}, {}},
+          {secondsText(all.sum()), {}, "_sum"},
+          {std::to_string(all.count()), {}, "_count"}};
+}
+
+Samples drops(const DedicatedServer& server) {
+  Samples samples;
+  for (const Rejection& each : server.rejections())
+    samples.push_back({std::to_string(each.count), {{"reason", std::string(each.reason)}}, {}});
+  return samples;
 }
 
 }  // namespace
 
-Metrics metricsOf(const DedicatedServer& server) {
-  Metrics metrics;
-  metrics.version = kVersion;
-  for (const PlayerStatus& player : server.match().playerStatus()) {
-    ++(player.client ? metrics.connectedPlayers : metrics.disconnectedPlayers);
-  }
+std::vector<Metric> metricsOf(const DedicatedServer& server, const ProgramFacts& facts) {
   const TickTimes recent = server.recentTickTimes();
-  metrics.tickCount = server.tickTimes().count();
-  metrics.tickSumUs = server.tickTimes().sum();
-  metrics.tickP50Us = recent.quantile(0.5);
-  metrics.tickP99Us = recent.quantile(0.99);
-  metrics.tickMaxUs = recent.longest();
-  metrics.droppedTicks = server.droppedTicks();
-  metrics.missedInputs = server.match().missedInputs();
-  metrics.desyncs = server.desyncs();
-  metrics.receivedBytes = server.host().gate().traffic().receivedBytes;
-  metrics.sentBytes = server.host().gate().traffic().sentBytes;
-  metrics.drops = dropsOf(server);
-  metrics.stoppedRecordings = server.stoppedRecordings();
-  metrics.unwrittenBestTimes = server.unwrittenBestTimes();
-  return metrics;
+  const auto& traffic = server.host().gate().traffic();
+  return {
+      {"process_start_time_seconds", "gauge", "Start of the program, in seconds since 1970 (UTC).",
+       one(static_cast<std::uint64_t>(facts.startedAt.time_since_epoch().count()))},
+      {"platon_info",
+       "gauge",
+       "Version and name of the server; always 1.",
+       {{"1", {{"version", std::string(kVersion)}, {"name", facts.serverName}}, {}}}},
+      {"platon_players", "gauge", "Players; disconnected ones are kept for a minute.", players(server)},
+      {"platon_players_limit", "gauge", "Largest number of players.", one(facts.maxPlayers)},
+      {"platon_bans", "gauge", "Bans in the list.", one(facts.bans)},
+      {"platon_tick_seconds", "summary",
+       "Time that a tick takes. The quantiles are of the last one to two minutes, 0 without ticks.",
+       tickTimes(server.tickTimes(), recent)},
+      {"platon_tick_max_seconds",
+       "gauge",
+       "Longest tick of the last one to two minutes, 0 without ticks.",
+       {{secondsText(recent.longest()), {}, {}}}},
+      {"platon_dropped_ticks_total", "counter", "Ticks that were dropped because the server was stopped or too slow.",
+       one(server.droppedTicks())},
+      {"platon_received_bytes_total", "counter", "Bytes of received datagrams.", one(traffic.receivedBytes)},
+      {"platon_sent_bytes_total", "counter", "Bytes of sent datagrams.", one(traffic.sentBytes)},
+      {"platon_missed_inputs_total", "counter", "Ticks of connected players that were decided without their input.",
+       one(server.match().missedInputs())},
+      {"platon_desyncs_total", "counter", "Games of clients that differed from the server's.", one(server.desyncs())},
+      {"platon_drops_total", "counter", "Traffic that was rejected, by reason.", drops(server)},
+      {"platon_stopped_recordings_total", "counter", "Recordings that could not be written to their end.",
+       one(server.stoppedRecordings())},
+      {"platon_unwritten_bans_total", "counter", "How often the ban file could not be written; it is tried every 10 s.",
+       one(facts.unwrittenBans)},
+      {"platon_unwritten_best_times_total", "counter",
+       "How often the file of the best times could not be written; it is tried every 10 s.",
+       one(server.unwrittenBestTimes())},
+  };
 }
 
 }  // namespace platon

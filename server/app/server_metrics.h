@@ -1,14 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "server/admin/metrics_text.h"
 #include "server/app/dedicated_server.h"
+#include "server/base/utc_time.h"
 
 namespace platon {
 
-/// The metrics of a server, without those that it does not know: when it started, its name, the limit of players, and
-/// what concerns the bans.
-Metrics metricsOf(const DedicatedServer& server);
+/// What a server does not know about its program.
+struct ProgramFacts {
+  UtcTime startedAt;
+  std::string serverName;
+  std::uint64_t maxPlayers = 0;
+  std::uint64_t bans = 0;
+  std::uint64_t unwrittenBans = 0;  ///< how often the file could not be written
+};
+
+/// All metrics: one row each. A row is described in docs/hosting.md, too, and shown by the dashboard or an alert in
+/// deploy/monitoring; server_metrics_test and the test `monitoring` name those that lack.
+std::vector<Metric> metricsOf(const DedicatedServer& server, const ProgramFacts& facts);
 
 }  // namespace platon

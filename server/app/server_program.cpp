@@ -293,13 +293,11 @@ std::optional<SocketAddress> ServerProgram::metricsAddress() const {
 }
 
 std::string ServerProgram::metricsText() const {
-  Metrics metrics = metricsOf(server_);
-  metrics.serverName = options_.name;
-  metrics.maxPlayers = options_.maxPlayers;
-  metrics.startedAt = startTime_;
-  metrics.bans = bans_.list().size();
-  metrics.unwrittenBans = bans_.failures();
-  return formatMetrics(metrics);
+  return formatMetrics(metricsOf(server_, {.startedAt = startTime_,
+                                           .serverName = options_.name,
+                                           .maxPlayers = options_.maxPlayers,
+                                           .bans = bans_.list().size(),
+                                           .unwrittenBans = bans_.failures()}));
 }
 
 }  // namespace platon

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "client/bot/playing_bot.h"
-#include "server/app/server_metrics.h"
 #include "tests/support/loopback_server.h"
 
 namespace platon::stall_test {
@@ -70,11 +69,11 @@ TEST_F(StallTest, EveryDroppedTickIsCounted) {
   PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
   letPass(bot, seconds(4));
   ASSERT_TRUE(bot.result().joined);
-  EXPECT_EQ(metricsOf(server_.server()).droppedTicks, 0u);
+  EXPECT_EQ(server_.server().droppedTicks(), 0u);
   for (const double stalls : {1.0, 2.0, 3.0}) {
     server_.suspend(milliseconds(800), [&bot](Moment now) { bot.update(now); });
     letPass(bot, milliseconds(100));
-    EXPECT_NEAR(static_cast<double>(metricsOf(server_.server()).droppedTicks), 33 * stalls, stalls);
+    EXPECT_NEAR(static_cast<double>(server_.server().droppedTicks()), 33 * stalls, stalls);
   }
   EXPECT_EQ(droppedLines().size(), 1u);
 }
@@ -92,13 +91,13 @@ TEST_F(StallTest, TheTickTimesOfAServerThatIsEmptyEndAfterTwoMinutes) {
         duration, [](Moment) {}, [] { return false; });
   };
   pass(seconds(30));
-  EXPECT_GT(metricsOf(server_.server()).tickMaxUs, 0u);
+  EXPECT_GT(server_.server().recentTickTimes().longest(), 0u);
   pass(seconds(60 + 120));  // the bot can resume for a minute
-  const Metrics metrics = metricsOf(server_.server());
-  EXPECT_GT(metrics.tickCount, 0u);
-  EXPECT_EQ(metrics.tickMaxUs, 0u);
-  EXPECT_EQ(metrics.tickP99Us, 0u);
-  EXPECT_EQ(metrics.tickP50Us, 0u);
+  EXPECT_GT(server_.server().tickTimes().count(), 0u);
+  const TickTimes recent = server_.server().recentTickTimes();
+  EXPECT_EQ(recent.longest(), 0u);
+  EXPECT_EQ(recent.quantile(0.99), 0u);
+  EXPECT_EQ(recent.quantile(0.5), 0u);
 }
 
 TEST_F(StallTest, AServerWithoutPlayersDropsNothing) {
@@ -106,7 +105,7 @@ TEST_F(StallTest, AServerWithoutPlayersDropsNothing) {
   server_.runUntil(
       seconds(1), [](Moment) {}, [] { return false; });
   EXPECT_TRUE(droppedLines().empty());
-  EXPECT_EQ(metricsOf(server_.server()).droppedTicks, 0u);
+  EXPECT_EQ(server_.server().droppedTicks(), 0u);
 }
 
 }  // namespace
