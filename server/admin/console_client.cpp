@@ -79,8 +79,11 @@ void print(const ConsoleTerminal& terminal, const ConsoleReply& reply) {
 int runConsole(const std::string& path, const ConsoleTerminal& terminal) {
   Descriptor socket = connectUnix(path);
   if (!socket) {
-    return fail(terminal, "no server answers at '" + path + "' (" + std::strerror(errno) +
-                              "); start one, or name its socket after --socket");
+    const int error = errno;
+    const std::string cause = error == EACCES
+                                  ? "this user may not open it; run the console as the user of the server, or as root"
+                                  : std::string("start one, or name its socket after --socket");
+    return fail(terminal, "no server answers at '" + path + "' (" + std::strerror(error) + "); " + cause);
   }
   if (!listenerIsTrusted(socket, path)) {
     return fail(terminal, "the server at '" + path +

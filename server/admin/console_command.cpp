@@ -72,7 +72,7 @@ Result readKick(Arguments& arguments) {
 bool looksLikeAnAddress(std::string_view word) {
   if (word.starts_with('"')) return false;
   return word.find_first_of(":/") != std::string_view::npos ||
-         std::holds_alternative<AddressRange>(AddressRange::parse(word));
+         (word.find('.') != std::string_view::npos && word.find_first_not_of("0123456789.") == std::string_view::npos);
 }
 
 Result readBan(Arguments& arguments) {
@@ -147,9 +147,8 @@ constexpr std::array kSyntax{
     Syntax{{"say", "TEXT", "shows a text to all players for some seconds"}, &readSay},
     Syntax{{"next", "", "ends the round; the next level follows"}, &readPlain<NextCommand>},
     Syntax{{"reload", "", "reads configuration, levels and bans again, as SIGHUP does"}, &readPlain<ReloadCommand>},
-    Syntax{{"drain", "[SECONDS] [HOST:PORT]", "stops after this round; new players are sent to the other server"},
-           &readDrain},
-    Syntax{{"stop", "", "stops the server, as SIGTERM does"}, &readPlain<StopCommand>},
+    Syntax{{"drain", "[SECONDS] [HOST:PORT]", "stops after this round; players are told the other server"}, &readDrain},
+    Syntax{{"stop", "", "stops the server at once"}, &readPlain<StopCommand>},
     Syntax{{"help", "", "this list"}, &readPlain<HelpCommand>}};
 
 constexpr auto kHelp = [] {

@@ -80,7 +80,7 @@ void write(Log& log, const MatchEvent& event) {
     case Kind::kChat:
       return log.info("chat", {client, slot, {"text", event.text}});
     case Kind::kRoundStart:
-      return log.info("round started", {{"level", event.text}});
+      return log.info("round started", {{"title", event.text}});
     case Kind::kRoundEnd:
       return log.info("round over", {{"ticks", std::uint64_t{event.ticks}}, {"cause", event.text}});
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <cassert>
 
 #include <chrono>
 
@@ -40,6 +41,7 @@ void Log::write(std::string_view severity, std::string_view message, const std::
   std::string line(message);
   if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", utcTime(), severity, jsonText(message));
   for (const LogField& field : fields) {
+    assert(field.key != "time" && field.key != "level" && field.key != "message");  // a JSON object has each key once
     line +=
         json ? fmt::format(R"(,"{}":{})", field.key, valueOf(field)) : fmt::format(" {}={}", field.key, valueOf(field));
   }

@@ -11,7 +11,7 @@ namespace platon {
 
 enum class LogFormat { kText, kJson };
 
-/// A key and its value in a log line.
+/// A key and its value in a log line. The key is none of `time`, `level` and `message`, which the line has already.
 struct LogField {
   std::string_view key;
   std::variant<std::uint64_t, std::string> value;

@@ -142,6 +142,18 @@ class StrangersServerTest : public ConsoleClientTest {
       "' belongs to another user; name the socket of your own after --socket, or run the console as that user\n";
 };
 
+// It was told that no server answers, and to start one.
+TEST_F(StrangersServerTest, AnotherUserIsToldWhoMayOpenIt) {
+  ASSERT_EQ(chmod(folder_.path().c_str(), 0755), 0);
+  ASSERT_EQ(chmod(path_.c_str(), 0600), 0);
+  const ActingAs other(kStranger - 1);
+  EXPECT_EQ(run("a\n"), 1);
+  EXPECT_EQ(
+      talk_.str(),
+      "platon-server: no server answers at '" + path_ +
+          "' (Permission denied); this user may not open it; run the console as the user of the server, or as root\n");
+}
+
 TEST_F(StrangersServerTest, RootTellsItNothingWhereOthersCanMakeASocket) {
   for (const auto& [owner, rights] :
        {std::pair(0u, 01777u), std::pair(0u, 0755u), std::pair(kStranger, 0757u), std::pair(kStranger, 0775u)}) {

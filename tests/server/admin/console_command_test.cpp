@@ -71,6 +71,7 @@ TEST(ConsoleCommand, Ban) {
   EXPECT_EQ(commandOf("ban \"a/b:c\""), ban(PlayerWord{"a/b:c"}, {}, ""));
   EXPECT_EQ(errorOf("ban"), kPlayerMissing);
   EXPECT_EQ(errorOf("ban 192.0.2.7/24"), "'192.0.2.7/24' has bits after its first 24: write 192.0.2.0/24");
+  EXPECT_TRUE(errorOf("ban 999.1.1.1").starts_with("'999.1.1.1' is not an address")) << "it was taken for a name";
   EXPECT_TRUE(errorOf("ban 192.0.2.x/24").ends_with("such as 192.0.2.7 or 2001:db8::/32"));
   EXPECT_TRUE(errorOf("ban 3 until tomorrow").starts_with("the reason must"));
   EXPECT_TRUE(errorOf("ban 3 2h # x").starts_with("the reason must"));

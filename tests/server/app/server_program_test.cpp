@@ -64,7 +64,7 @@ TEST_F(ProgramTest, ListensAndTellsTheClientsWhenStopped) {
 TEST_F(ProgramTest, ReloadsLevelsOnHangUp) {
   Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
   server.nextErrorLine();
-  server.waitForError("round started level=\"\"");
+  server.waitForError("round started title=\"\"");
   write("CUBE\n");
   server.signal(SIGHUP);
   server.waitForError(level_ + ":1:1: error: ");
@@ -78,7 +78,7 @@ TEST_F(ProgramTest, ReloadsLevelsOnHangUp) {
 
 TEST_F(ProgramTest, ReloadsALevelWhoseFileHasChanged) {
   Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
-  server.waitForError("round started level=\"\"");
+  server.waitForError("round started title=\"\"");
   write("CUBE\n");
   server.waitForError(level_ + ":1:1: error: ");
   server.waitForError("levels not reloaded");
@@ -94,6 +94,7 @@ TEST_F(ProgramTest, KeepsItsSettingsWhenTheNewOnesAreInvalid) {
   Process server(platonCommand("platon-server", {"--config", file, "--port", "0", "--bind", "127.0.0.1"}));
   std::string line = server.nextErrorLine();
   while (!line.empty() && line.find(R"("message":"round started")") == std::string::npos) line = server.nextErrorLine();
+  EXPECT_EQ(line.find("level"), line.rfind("level")) << "a key that stands twice hides the severity: " << line;
   std::string deepTable = "[a";
   for (int i = 0; i < 100'000; ++i) deepTable += ".a";
   for (const std::string& text :
