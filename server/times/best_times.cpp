@@ -96,22 +96,31 @@ const DatedTime* BestTimes::find(const PlayedLevel& level) const {
 }
 
 bool BestTimes::offer(const PlayedLevel& level, const DatedTime& time) {
-  const auto [place, isNew] = times_.try_emplace(level, time);
-  if (!isNew && place->second.time.ticks <= time.time.ticks) return false;
-  place->second = time;
+  const bool taken = take(level, time);
   limit();
-  return true;
+  return taken;
 }
 
 void BestTimes::merge(const BestTimes& others) {
-  for (const auto& [level, time] : others.times_) offer(level, time);
+  for (const auto& [level, time] : others.times_) take(level, time);
+  limit();
+}
+
+bool BestTimes::take(const PlayedLevel& level, const DatedTime& time) {
+  const auto [place, isNew] = times_.try_emplace(level, time);
+  if (!isNew && place->second.time.ticks <= time.time.ticks) return false;
+  place->second = time;
+  return true;
 }
 
 void BestTimes::limit() {
-  while (times_.size() > kMaxTimes) {
-    times_.erase(std::min_element(times_.begin(), times_.end(),
-                                  [](const auto& a, const auto& b) { return a.second.date < b.second.date; }));
-  }
+  if (times_.size() <= kMaxTimes) return;
+  std::vector<std::map<PlayedLevel, DatedTime>::const_iterator> oldestFirst;
+  for (auto each = times_.cbegin(); each != times_.cend(); ++each) oldestFirst.push_back(each);
+  std::stable_sort(oldestFirst.begin(), oldestFirst.end(),
+                   [](const auto& a, const auto& b) { return a->second.date < b->second.date; });
+  oldestFirst.resize(times_.size() - kMaxTimes);
+  for (const auto& each : oldestFirst) times_.erase(each);
 }
 
 }  // namespace platon

@@ -42,7 +42,7 @@ class BestTimes {
  public:
   /// Longest text, bytes.
   static constexpr std::size_t kMaxBytes = 1024 * 1024;
-  /// Most best times. When there are more, the one that is oldest by its date is forgotten.
+  /// Most best times. When there are more, those that are oldest by their dates are forgotten.
   static constexpr std::size_t kMaxTimes = 10'000;
   /// Most errors that `parse` reports; one more says that there are more.
   static constexpr std::size_t kMaxErrors = 100;
@@ -56,7 +56,7 @@ class BestTimes {
   const DatedTime* find(const PlayedLevel& level) const;
   /// Takes a time if it is less than the best one or the first one. Returns whether it was taken.
   bool offer(const PlayedLevel& level, const DatedTime& time);
-  /// Offers all times of others.
+  /// Takes all times of others, each as `offer` does, before any is forgotten.
   void merge(const BestTimes& others);
   bool empty() const { return times_.empty(); }
   std::size_t size() const { return times_.size(); }
@@ -64,6 +64,7 @@ class BestTimes {
   friend bool operator==(const BestTimes&, const BestTimes&) = default;
 
  private:
+  bool take(const PlayedLevel& level, const DatedTime& time);
   void limit();
 
   std::map<PlayedLevel, DatedTime> times_;

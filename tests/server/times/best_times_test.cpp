@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
+#include "protocol/hash_text.h"
 #include "protocol/limits.h"
 
 namespace platon::best_times_test {
@@ -101,6 +105,42 @@ TEST(BestTimes, TheOldestIsForgottenWhenThereAreTooMany) {
   EXPECT_TRUE(times.find({1'000'000, 6}));
   EXPECT_LE(times.text().size(), BestTimes::kMaxBytes);
   EXPECT_EQ(read(times.text()), times);
+}
+
+// Forgets the oldest times one by one: the law that those of a text, and of two that are merged, must agree with.
+void forgetOneByOne(std::map<PlayedLevel, DatedTime>& times) {
+  while (times.size() > BestTimes::kMaxTimes) {
+    times.erase(std::min_element(times.begin(), times.end(),
+                                 [](const auto& a, const auto& b) { return a.second.date < b.second.date; }));
+  }
+}
+
+std::string linesOf(const std::map<PlayedLevel, DatedTime>& times) {
+  std::string lines;
+  for (const auto& [level, best] : times) {
+    lines += hashText(level.hash) + " " + std::to_string(level.rules) + " " + std::to_string(best.time.ticks) + " " +
+             formatUtcTime(best.date) + " " + best.time.name + "\n";
+  }
+  return lines;
+}
+
+TEST(BestTimes, OfManyTooManyThoseAreForgottenThatAreOldestOneByOne) {
+  std::map<PlayedLevel, DatedTime> these, those;
+  for (std::uint64_t level = 0; level < BestTimes::kMaxTimes + 300; ++level) {
+    these[{level, 6}] = timeOf(10, "Ann", static_cast<int>(level * 7919 % 500));
+    those[{level * 3, 6}] = timeOf(20, "Ben", static_cast<int>(level * 104'729 % 500));
+  }
+  BestTimes times = read(linesOf(these));
+  const BestTimes others = read(linesOf(those));
+  forgetOneByOne(these);
+  EXPECT_EQ(times, read(linesOf(these)));
+  EXPECT_EQ(times.size(), BestTimes::kMaxTimes);
+  forgetOneByOne(those);
+  EXPECT_EQ(others, read(linesOf(those)));
+  times.merge(others);
+  these.merge(those);
+  forgetOneByOne(these);
+  EXPECT_EQ(times, read(linesOf(these)));
 }
 
 TEST(BestTimes, EachErrorHasItsPlaceAndRemedy) {
