@@ -59,9 +59,7 @@ bool Demo::isCommonStart(std::uint32_t tick) const {
 
 // For a player who is not there.
 bool Demo::waitsInVain(const Game& game) const {
-  std::uint32_t present = 0;
-  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) present += game.player(slot).present;
-  return restingTicks_ >= kMaxTicksOfRest && present < level_->players;
+  return restingTicks_ >= kMaxTicksOfRest && game.presentPlayers() < level_->players;
 }
 
 // A restart leads to the state with which the round of the recording began. It needs a tick in which it is not held.

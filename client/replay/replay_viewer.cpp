@@ -68,12 +68,7 @@ void ReplayViewer::advance(double seconds) {
 }
 
 // As in a game, where a player who is alone has all the time it wants.
-bool ReplayViewer::timed() const {
-  const Game& game = player_.game();
-  std::uint32_t present = 0;
-  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) present += game.player(slot).present != 0 ? 1 : 0;
-  return present > 1;
-}
+bool ReplayViewer::timed() const { return player_.game().presentPlayers() > 1; }
 
 Scene ReplayViewer::scene() const {
   const Game& game = player_.game();

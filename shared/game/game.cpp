@@ -58,6 +58,12 @@ std::uint32_t Game::startOfAttempt() const {
   return first;
 }
 
+std::uint32_t Game::presentPlayers() const {
+  std::uint32_t present = 0;
+  for (const PlayerState& player : players_) present += player.present;
+  return present;
+}
+
 std::uint32_t Game::ticksLeft() const { return tick_ < kRoundTicks ? kRoundTicks - tick_ : 0; }
 
 void Game::addAndRemovePlayers(std::span<const Input> inputs) {
@@ -115,15 +121,14 @@ void Game::respawn(std::uint32_t slot) {
 }
 
 void Game::updateFinishes() {
-  std::uint32_t present = 0;
   std::uint32_t finished = 0;
   for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
     PlayerState& player = players_[slot];
     if (player.present == 0) continue;
-    ++present;
     if (player.arrived == 0 && touchesGoal(slot)) arrive(player);
     if (player.finished()) ++finished;
   }
+  const std::uint32_t present = presentPlayers();
   if ((present != 0 && finished == present) || tick_ >= kRoundTicks) over_ = 1;
 }
 

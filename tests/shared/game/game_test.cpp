@@ -56,6 +56,7 @@ TEST(GameTest, ANewGameHasNoPlayers) {
   EXPECT_EQ(game.tick(), 0u);
   EXPECT_EQ(game.ticksLeft(), kRoundTicks);
   EXPECT_EQ(game.slots(), 0u);
+  EXPECT_EQ(game.presentPlayers(), 0u);
   EXPECT_FALSE(game.over());
   EXPECT_EQ(game.level().solid, SolidKind::kHexahedron);
 }
@@ -65,6 +66,7 @@ TEST(GameTest, PlayersJoinAndLeaveByTheirInput) {
   played.hold(2, kNone);
   played.advance();
   ASSERT_EQ(played.game.slots(), 3u);
+  EXPECT_EQ(played.game.presentPlayers(), 1u);
   EXPECT_EQ(played.game.tick(), 1u);
   EXPECT_EQ(played.player(0).present, 0);
   EXPECT_EQ(played.player(2).present, 1);
@@ -76,6 +78,7 @@ TEST(GameTest, PlayersJoinAndLeaveByTheirInput) {
   played.release(2);
   played.advance();
   EXPECT_EQ(played.game.slots(), 3u) << "the slot stays";
+  EXPECT_EQ(played.game.presentPlayers(), 0u);
   EXPECT_EQ(played.player(2), PlayerState());
   EXPECT_EQ(played.entity(2).inserted, 0);
   EXPECT_TRUE(played.game.world().view(2).empty());
@@ -102,6 +105,7 @@ TEST(GameTest, PlaysWithTheLargestNumberOfPlayers) {
   const std::vector<Input> inputs(kMaxPlayers, Input{Input::kPresent | Input::kRight});
   for (int tick = 0; tick < 30; ++tick) game.advance(inputs);
   ASSERT_EQ(game.slots(), kMaxPlayers);
+  EXPECT_EQ(game.presentPlayers(), kMaxPlayers);
   for (std::uint32_t slot = 1; slot < kMaxPlayers; ++slot) {
     EXPECT_EQ(game.world().entities()[slot].position, game.world().entities()[0].position) << "they do not collide";
   }

@@ -42,6 +42,8 @@ class Game {
   /// True once all players present, at least one, have finished, or the time is up. Players can still move.
   bool over() const { return over_ != 0; }
 
+  /// Number of players who are present.
+  std::uint32_t presentPlayers() const;
   /// Number of slots used so far. The slot is also the index of the player's entity in the world.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(players_.size()); }
   /// slot < slots().
