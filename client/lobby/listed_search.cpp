@@ -36,11 +36,7 @@ std::string ListedSearch::add(const ListedServer& server, const SocketAddress& a
 }
 
 void ListedSearch::update(Moment now) {
-  for (int i = 0; i < NearServers::kMaxDatagrams; ++i) {
-    const std::optional<Datagram> datagram = socket_->receive(now);
-    if (!datagram) break;
-    take(*datagram, now);
-  }
+  takeDatagrams(*socket_, now, [&](const Datagram& datagram) { take(datagram, now); });
   send(now);
 }
 

@@ -18,11 +18,7 @@ NearServers::NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<Soc
     : socket_(std::move(socket)), targets_(std::move(targets)), nonce_(nonce) {}
 
 void NearServers::update(Moment now) {
-  for (int i = 0; i < kMaxDatagrams; ++i) {
-    const std::optional<Datagram> datagram = socket_->receive(now);
-    if (!datagram) break;
-    take(*datagram, now);
-  }
+  takeDatagrams(*socket_, now, [&](const Datagram& datagram) { take(datagram, now); });
   if (!searchedAt_ || now - *searchedAt_ >= kInterval) search(now);
 }
 

@@ -54,6 +54,16 @@ class NearServers {
   std::vector<NearServer> found_;
 };
 
+/// Hands each datagram that has arrived at a socket to `take`, at most NearServers::kMaxDatagrams of them.
+template <class Take>
+void takeDatagrams(DatagramSocket& socket, Moment now, Take take) {
+  for (int i = 0; i < NearServers::kMaxDatagrams; ++i) {
+    const std::optional<Datagram> datagram = socket.receive(now);
+    if (!datagram) return;
+    take(*datagram);
+  }
+}
+
 inline constexpr std::uint16_t kNearPorts = 4;
 /// A search on this machine and in its IPv4 networks, on kNearPorts ports from the default one on.
 NearServers searchNearby();
