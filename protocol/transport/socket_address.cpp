@@ -12,6 +12,9 @@ constexpr std::size_t kIpv4Offset = 12;  // of an IPv4 address within its IPv6 f
 constexpr std::array<std::uint8_t, kIpv4Offset> kIpv4Prefix = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
 constexpr std::array<std::uint8_t, kIpv4Offset> kTranslatedPrefix = {0, 0x64, 0xff, 0x9b};
 constexpr std::size_t kHouseholdBytes = 8;
+constexpr std::uint64_t kLoopbackNetwork = 0;
+// Of the other addresses whose network would have that number. They are reserved, as is the network with this number.
+constexpr std::uint64_t kZeroNetwork = 0x0000'fffe'0000'0000;
 
 // fe80::/10
 bool isLinkLocal(const std::array<std::uint8_t, 16>& bytes) { return bytes[0] == 0xfe && (bytes[1] & 0xc0) == 0x80; }
@@ -63,15 +66,19 @@ bool IpAddress::isPrivate() const {
 
 // The prefix of an IPv4 address is 0:ffff, which no network has as the first half of its IPv6 addresses.
 std::uint64_t IpAddress::household() const {
-  if (isLoopback()) return 0;
+  if (isLoopback()) return kLoopbackNetwork;
   std::uint64_t number = holdsIpv4() ? 0xffff : 0;
   const std::size_t first = holdsIpv4() ? kIpv4Offset : 0;
   const std::size_t end = holdsIpv4() ? bytes.size() : kHouseholdBytes;
   for (std::size_t i = first; i < end; ++i) number = number << 8 | bytes[i];
-  return number;
+  return number == kLoopbackNetwork ? kZeroNetwork : number;
 }
 
-std::uint64_t IpAddress::site() const { return holdsIpv4() ? household() : household() & ~std::uint64_t{0xffff}; }
+std::uint64_t IpAddress::site() const {
+  if (isLoopback() || holdsIpv4()) return household();
+  const std::uint64_t number = household() & ~std::uint64_t{0xffff};
+  return number == kLoopbackNetwork ? kZeroNetwork : number;
+}
 
 std::string IpAddress::text() const {
   std::array<char, INET6_ADDRSTRLEN> buffer{};

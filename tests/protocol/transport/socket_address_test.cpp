@@ -57,6 +57,17 @@ TEST(IpAddress, ASiteIsAnIpv4AddressOr48BitsOfIpv6) {
   EXPECT_NE(ip("2001:db8:1::1").site(), ip("2001:db8:2::1").site());
 }
 
+// They counted as loopback, which has no limit.
+TEST(IpAddress, AddressesThatBeginWithZerosAreAHouseholdThatIsNotLoopback) {
+  for (const char* text : {"::", "::2", "::192.0.2.1", "::1:ffff:ffff:ffff"}) {
+    EXPECT_EQ(ip(text).household(), 0x0000'fffe'0000'0000u) << text;
+    EXPECT_EQ(ip(text).site(), 0x0000'fffe'0000'0000u) << text;
+  }
+  EXPECT_EQ(ip("0:0:0:1::1").household(), 1u);
+  EXPECT_EQ(ip("0:0:0:1::1").site(), ip("::2").site());
+  EXPECT_NE(ip("0:0:1::1").site(), ip("::2").site());
+}
+
 // All IPv4 players of a server behind a translator were one household.
 TEST(IpAddress, AnAddressThatATranslatorMakesOfAnIpv4AddressCountsAsThisOne) {
   EXPECT_TRUE(ip("64:ff9b::192.0.2.1").holdsIpv4());
