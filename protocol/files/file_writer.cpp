@@ -44,6 +44,7 @@ std::string FileWriter::check(Time now) {
   if (writing_.valid()) {
     if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return now < answerBy_ ? "" : kSilence;
     if (std::string fault = takeResult(); !fault.empty()) return fault;
+    retryAt_ = {};  // of its silence
   }
   if (!queued_ || now < retryAt_) return {};
   answerBy_ = now + kRetryInterval;

@@ -128,6 +128,21 @@ TEST_F(FileWriterTest, ADiskThatDoesNotAnswerIsAFailure) {
   EXPECT_EQ(readText(path_), "one");
 }
 
+// It waited until the time at which the silent write would have been tried again.
+TEST_F(FileWriterTest, ANewContentIsWrittenAtOnceWhenASilentDiskHasAnswered) {
+  FileWriter writer(path_, tasks_.start());
+  writer.write("one");
+  EXPECT_EQ(writer.poll(kNow), std::nullopt);
+  writer.write("two");
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), "the disk does not answer");
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_EQ(tasks_.run(), 1u) << "of the second content";
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_FALSE(writer.pending());
+  EXPECT_EQ(readText(path_), "two");
+}
+
 TEST_F(FileWriterTest, TheDestructorDoesNotTryAgainAfterFinish) {
   {
     FileWriter writer(path_, tasks_.start());
