@@ -109,8 +109,9 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
 }
 
 // An owner of many households, as every connection to the internet by IPv6 has them, must not use up what all newcomers
-// share. What is refused takes nothing: beyond the budget of their site, its households would drain the buckets of all
-// others; beyond its own, a household would drain that of its site.
+// share. What its household or its site refuses takes nothing: beyond the budget of their site, its households would
+// drain the buckets of all others; beyond its own, a household would drain that of its site. What only the budget of
+// the server refuses is charged to both.
 bool ServerGate::takeBudget(const IpAddress& client, Moment now) {
   if (client.isLoopback()) return handshakes_.take(1, now);
   if (!households_.holds(client.household(), now) || !sites_.holds(client.site(), now)) return false;
