@@ -148,7 +148,7 @@ class Visit:
         check(found == expected and end.next_title, f"the server ends the round with {end}")
 
     def move_to_another_port(self, client):
-        """The server repeats a challenge that is answered late, and sends no other once it knows the address."""
+        """The server challenges the new address until it is answered there, and after that for ten seconds no more."""
         self._socket.rebind()
         self._expect_ticks(client)
         challenges = client.challenges()
