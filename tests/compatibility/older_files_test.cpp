@@ -1,7 +1,6 @@
 // What files of release 0.1.0, written by its own code, are for the programs of this release: the table of
 // docs/architecture.md#files-of-an-older-release. Of the recordings, one is by version 7 of the rules and one by
-// version
-// 3. Never write these files anew.
+// version 3. Never write these files anew.
 #include <gtest/gtest.h>
 
 #include <filesystem>
