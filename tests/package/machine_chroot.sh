@@ -11,7 +11,8 @@ unit_value() { sed -n "s/^$1=//p" /lib/systemd/system/platon-server.service | se
 
 server_process() { printf '%s\n' "$server"; }
 server_log() { cat /opt/test/server_log; }
-no_server_runs() { [[ -z $server ]]; }
+# None of this shell, which starts all, and none that serves metrics.
+no_server_runs() { [[ -z $(jobs -rp) ]] && ! (: </dev/tcp/127.0.0.1/19777) 2>/dev/null; }
 reload_server() { kill -HUP "$server"; }
 
 # become COMMAND…: this shell becomes the command, with the user and the mask of the unit.
