@@ -91,6 +91,7 @@ void EditedLevel::update() {
   }
   std::set_difference(present.begin(), present.end(), shown_.begin(), shown_.end(), std::back_inserter(faulty_),
                       isBefore);
+  faulty_.resize(std::min(faulty_.size(), kMaxFaulty));
 }
 
 }  // namespace platon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@ namespace platon {
 /// A level document with its history and what of it is saved.
 class EditedLevel {
  public:
+  /// Most faulty segments that are named: each is drawn in every picture.
+  static constexpr std::size_t kMaxFaulty = 2000;
+
   /// `saved`: the text is that of the file. Of an invalid text, the level without its faulty segments is shown; if
   /// that is not valid either, there is no level.
   EditedLevel(std::string_view text, bool saved);
@@ -34,7 +38,8 @@ class EditedLevel {
   /// Takes the text of the file, which another program has changed. This step can be undone.
   void reload(std::string_view text);
 
-  /// Segments of a text that is not valid, which level() lacks. Empty while the text is valid.
+  /// Segments of a text that is not valid, which level() lacks, the first kMaxFaulty in order of face and place. Empty
+  /// while the text is valid.
   const std::vector<EditedSegment>& faulty() const { return faulty_; }
 
  private:

@@ -32,7 +32,7 @@ std::string firstError(std::string_view file, const std::vector<Diagnostic>& fou
 
 }  // namespace
 
-Editor::Editor(std::string file, std::string_view text, bool saved) : file_(std::move(file)), level_(text, saved) {
+Editor::Editor(std::string file, EditedLevel level) : file_(std::move(file)), level_(std::move(level)) {
   showLevel();
   const Marker& start = stage_->start;
   view_.showAll(mesh(), mesh().pose(start.face, start.place, start.angle));

@@ -31,8 +31,8 @@ namespace platon {
 /// The level editor without window, file and thread: events go in, pictures and wishes come out.
 class Editor {
  public:
-  /// `text` is one of which EditedLevel has a level; `file` its name for messages. `saved`: it is the text of the file.
-  Editor(std::string file, std::string_view text, bool saved);
+  /// `level` has a level that can be shown; `file` is its name for messages.
+  Editor(std::string file, EditedLevel level);
 
   /// The pictures have w × h pixels; the menu is enlarged as Settings::uiScale says.
   void resize(std::uint32_t w, std::uint32_t h, double uiScale = 1);

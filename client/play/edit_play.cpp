@@ -25,12 +25,11 @@ namespace {
 constexpr double kOffscreenSeconds = 10;
 constexpr Moment kAnalysisInterval = std::chrono::milliseconds(10);
 
-// The text of the file, or of a new level. Throws ProgramError if so much of it is wrong that nothing can be shown.
-std::string textOf(EditFile& file, SolidKind solid) {
-  if (!file.exists()) return newLevelText(solid, titleOf(file.path().filename().string()));
-  std::string text = file.load();
-  const EditedLevel level(text, true);
-  if (level.document().level()) return text;
+// That of the file, or a new one. Throws ProgramError if so much of its text is wrong that nothing can be shown.
+EditedLevel levelOf(EditFile& file, SolidKind solid) {
+  if (!file.exists()) return {newLevelText(solid, titleOf(file.path().filename().string())), false};
+  EditedLevel level(file.load(), true);
+  if (level.document().level()) return level;
   std::string messages;
   for (const Diagnostic& diagnostic : level.document().diagnostics())
     messages += (messages.empty() ? "" : "\n") + format(file.path().string(), diagnostic);
@@ -54,7 +53,7 @@ EditPlay::EditPlay(const ClientOptions& options, const Clock& clock)
     : options_(options),
       clock_(clock),
       file_(options.edit),
-      editor_(file_.path().filename().string(), textOf(file_, options.solid), file_.exists()),
+      editor_(file_.path().filename().string(), levelOf(file_, options.solid)),
       window_(openEditWindow(options.offscreen)),
       offscreen_(openOffscreen(options.offscreen)),
       renderer_(kPictureWidth, kPictureHeight, font_),

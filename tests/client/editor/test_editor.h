@@ -19,7 +19,7 @@ class TestEditor : public Editor {
            "%\n%\n%\n%\n%\n";
   }
 
-  explicit TestEditor(const std::string& segments = "") : Editor("test.level", levelText(segments), true) {
+  explicit TestEditor(const std::string& segments = "") : Editor("test.level", EditedLevel(levelText(segments), true)) {
     // The solid is seen from the front.
     move({0, {0, 0}});
     key(Key::kC);
