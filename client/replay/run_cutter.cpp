@@ -98,9 +98,11 @@ std::optional<Run> RunCutter::cutAlone(const Game& game) const {
   return Run{game.sharedLevel(), ticks, recorder.takeBytes()};
 }
 
+// Whether the group's game has been followed since before the attempt.
+bool RunCutter::isInGroup() const { return start_ && own_ && own_->player.startedAt > start_->tick(); }
+
 // Counts by blocks, as whoever reads the recording does.
 bool RunCutter::isGroupAffordable() const {
-  if (!start_) return true;
   PlayCost cost(*start_);
   bool affordable = true;
   for (std::size_t first = 0; first < groupInputs_.size(); first += kCheckpointTicks) {
@@ -113,7 +115,7 @@ bool RunCutter::isGroupAffordable() const {
 }
 
 std::optional<Run> RunCutter::cutGroup(const Game& game) const {
-  if (!start_ || !own_ || own_->player.startedAt <= start_->tick() || !isGroupAffordable()) return std::nullopt;
+  if (!isInGroup() || !isGroupAffordable()) return std::nullopt;
   Game group = *start_;
   Game before = group;
   RecordedRun run(group);

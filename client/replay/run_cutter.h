@@ -29,8 +29,8 @@ class RunCutter {
   /// The run that has ended with the tick of the last call of `advance`, after which `game` is. Nothing if it began
   /// before the game was known, or if it costs too much to be played again (PlayCost). Plays the run once.
   std::optional<Run> cut(const Game& game) const;
-  /// Whether a recording of the group's game would not cost too much; true if no group is followed.
-  bool isGroupAffordable() const;
+  /// Whether the attempt can be cut out of the group's game but for the cost of its recording.
+  bool isGroupTooCostly() const { return isInGroup() && !isGroupAffordable(); }
 
  private:
   static constexpr std::size_t kMaxGroupTicks = 2 * kRoundTicks;  // as kMaxTicks, of several players
@@ -48,6 +48,8 @@ class RunCutter {
   void followOwn(Input input, const Own& own);
   void followGroup(std::span<const Input> inputs, const Game& game);
   bool allRest(const Game& game) const;
+  bool isInGroup() const;
+  bool isGroupAffordable() const;
   std::optional<Run> cutAlone(const Game& game) const;
   std::optional<Run> cutGroup(const Game& game) const;
 

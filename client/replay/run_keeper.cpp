@@ -140,7 +140,7 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
 // Of an attempt that would be the best run, but was not cut.
 std::string RunKeeper::whyNotRecorded(std::uint32_t ticks) const {
   if (ticks > RunCutter::kMaxTicks) return "too long to be recorded";
-  return cutter_.isGroupAffordable() ? "" : "too many players to be recorded";
+  return cutter_.isGroupTooCostly() ? "too many players to be recorded" : "";
 }
 
 std::vector<std::string> RunKeeper::takeFaults() {

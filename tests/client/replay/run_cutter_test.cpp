@@ -178,7 +178,7 @@ TEST(RunCutter, AGroupRunThatNobodyCouldReadIsNotCut) {
     for (int i = 0; i < 200 && !followed.time; ++i) followed.advance(inputs);
     ASSERT_TRUE(followed.time) << wait;
     ASSERT_EQ(followed.run.has_value(), affordable) << wait;
-    EXPECT_EQ(followed.cutter.isGroupAffordable(), affordable) << wait;
+    EXPECT_EQ(followed.cutter.isGroupTooCostly(), !affordable) << wait;
     if (affordable) expectSameRun(followed);
   }
 }
