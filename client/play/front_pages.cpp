@@ -31,21 +31,27 @@ std::optional<std::uint16_t> portOf(const std::string& text) {
   return port;
 }
 
-// Writes a level for the server in this program, which says so if the file is missing. A file of its own: another
-// program may play another level. Never in a folder that others can write to: they could put a link in its place.
-std::string racedLevelFile(const Level& level) {
+// The file of a level for the server in this program. A file of its own: another program may play another level. Never
+// in a folder that others can write to: they could put a link in its place. Empty without a folder of the user.
+std::filesystem::path racedLevelFile(const Level& level) {
+  const std::filesystem::path folder = cacheFolder();
+  return folder.empty() ? folder : folder / "raced" / (std::to_string(level.hash) + ".level");
+}
+
+// Returns why the level cannot be written to its file, or an empty text.
+std::string writeRacedLevel(const Level& level, const std::filesystem::path& file) {
   constexpr std::size_t kMaxFiles = 16;
-  const std::filesystem::path folder = cacheFolder() / "raced";
-  const std::filesystem::path file = folder / (std::to_string(level.hash) + ".level");
+  if (file.empty()) return "there is no folder for its level; set HOME or XDG_CACHE_HOME";
   std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
+  std::filesystem::create_directories(file.parent_path(), ignored);
   // A file that is written again begins the round of another program that plays this level anew.
   const auto kept = readTextFile(file.string(), kMaxLevelBytes);
   const auto* const text = std::get_if<std::string>(&kept);
-  if (text == nullptr || *text != level.text) (void)replaceCachedFile(file.string(), level.text);
+  const bool isKept = text != nullptr && *text == level.text;
+  const std::string fault = isKept ? "" : replaceCachedFile(file.string(), level.text);
   const auto isLevel = [](const std::filesystem::path& path) { return path.extension() == ".level"; };
-  removeOldest(newestFiles(folder, Subfolders::kWithout, isLevel), kMaxFiles, kMaxFiles * kMaxLevelBytes);
-  return file.string();
+  removeOldest(newestFiles(file.parent_path(), Subfolders::kWithout, isLevel), kMaxFiles, kMaxFiles * kMaxLevelBytes);
+  return fault.empty() ? "" : "its level cannot be written to " + file.string() + ": " + fault;
 }
 
 JoinForm::Found rowOf(const std::string& name, const std::string& address, const std::string& about) {
@@ -71,11 +77,12 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
       settingsPages_(menu, settings),
       recent_(std::move(recent)),
       calls_(std::move(calls)),
-      replays_(
-          menu, runsFolder(), ghostsFolder(),
-          {[this](const std::filesystem::path& file) { calls_.watch(file); },
-           [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) { race(level, file); },
-           [this](const std::shared_ptr<const Level>& level) { return entryOf(level).medals; }}),
+      replays_(menu, runsFolder(), ghostsFolder(),
+               {[this](const std::filesystem::path& file) { calls_.watch(file); },
+                [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) {
+                  return race(level, file);
+                },
+                [this](const std::shared_ptr<const Level>& level) { return entryOf(level).medals; }}),
       settings_(&settings),
       givenListUrl_(std::move(listUrl)) {
   joinForm_.asksList = givenListUrl_.empty();
@@ -197,14 +204,20 @@ void FrontPages::playFrom(std::size_t level) {
   calls_.start(choice);
 }
 
-// A level that did not come with the game is in the recording alone.
-void FrontPages::race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival) {
+// A level that did not come with the game is in the recording alone. Returns why it cannot be played, or an empty text.
+std::string FrontPages::race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival) {
   MatchChoice choice;
   choice.rival = rival;
   choice.own.waitsForOne = true;
-  const std::optional<std::size_t> shipped = shippedIndexOf(*level);
-  choice.own.levels = shipped ? filesFrom(*shipped) : std::vector<std::string>{racedLevelFile(*level)};
+  if (const std::optional<std::size_t> shipped = shippedIndexOf(*level)) {
+    choice.own.levels = filesFrom(*shipped);
+  } else {
+    const std::filesystem::path file = racedLevelFile(*level);
+    if (std::string fault = writeRacedLevel(*level, file); !fault.empty()) return fault;
+    choice.own.levels = {file.string()};
+  }
   calls_.start(choice);
+  return {};
 }
 
 void FrontPages::showRun(const std::filesystem::path& file) {

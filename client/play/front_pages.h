@@ -64,7 +64,7 @@ class FrontPages {
   void showJoin();
   void showHost();
   void playFrom(std::size_t level);
-  void race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
+  std::string race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
   const std::string& listUrl() const;
   void takeListUrl();
   void readList(Moment now);

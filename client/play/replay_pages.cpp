@@ -100,7 +100,7 @@ MenuPage ReplayPages::pageOf(std::size_t index) {
   chosen_ = index;
   RunChoices choices;
   if (entries_[index].note.empty()) choices.watch = [this, index] { calls_.watch(File(fileOf(index))); };
-  if (canRace(index)) choices.race = [this, index] { calls_.race(levelOf(index), File(fileOf(index))); };
+  if (canRace(index)) choices.race = [this, index] { race(index); };
   if (canKeep(index)) choices.keep = [this, index] { keep(index); };
   choices.back = [this] { menu_->back(); };
   return runPage(entries_[index], shownPath(fileOf(index)), fault_, choices);
@@ -111,6 +111,11 @@ bool ReplayPages::canRace(std::size_t index) const {
   if (entries_[index].time.empty() || !entries_[index].note.empty()) return false;
   const std::shared_ptr<const Level> level = levelOf(index);
   return level && level->players <= 1;
+}
+
+void ReplayPages::race(std::size_t index) {
+  const std::string fault = calls_.race(levelOf(index), File(fileOf(index)));
+  fault_ = fault.empty() ? "" : "There can be no race: " + fault + ".";
 }
 
 bool ReplayPages::canKeep(std::size_t index) const {

@@ -22,7 +22,8 @@ class ReplayPages {
   using File = std::filesystem::path;
   struct Calls {
     std::function<void(const File&)> watch;
-    std::function<void(const std::shared_ptr<const Level>&, const File&)> race;
+    /// Returns why there can be no race, as the end of a sentence, or an empty text.
+    std::function<std::string(const std::shared_ptr<const Level>&, const File&)> race;
     std::function<std::optional<MedalTimes>(const std::shared_ptr<const Level>&)> medalsOf;
   };
 
@@ -49,6 +50,7 @@ class ReplayPages {
   MenuPage pageOf(std::size_t index);
   void choose(std::size_t index);
   bool canRace(std::size_t index) const;
+  void race(std::size_t index);
   bool canKeep(std::size_t index) const;
   void keep(std::size_t index);
   std::shared_ptr<const Level> levelOf(std::size_t index) const { return list_.runs()[index].level; }
@@ -60,7 +62,7 @@ class ReplayPages {
   std::vector<ReplayEntry> entries_;  // of list_
   bool inList_ = false;
   std::optional<std::size_t> chosen_;  // of list_, whose page is shown
-  std::string fault_;                  // of the last copy
+  std::string fault_;                  // of the last copy or race
 };
 
 }  // namespace platon

@@ -211,6 +211,30 @@ TEST_F(FrontPagesTest, ARaceOnAnotherLevelTakesItFromTheRecording) {
   EXPECT_EQ(readText(started_->own.levels[0]), game.game.level().text);
 }
 
+// The level was written to the folder in which the program was started.
+TEST_F(FrontPagesTest, WithoutAFolderOfTheUserARaceOnAnotherLevelSaysSoAndWritesNothing) {
+  FollowedGame game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+  game.hold(30, 0);
+  game.holdToGoal(300, Input::kRight);
+  const std::vector<std::uint8_t>& bytes = game.run.value().recording;
+  pages_.showRun(keepGhost({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
+  const EnvironmentVariable home("HOME", std::nullopt);
+  cache_.set(std::nullopt);
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  EXPECT_FALSE(started_);
+  EXPECT_TRUE(shows("There can be no race"));
+  EXPECT_TRUE(shows("XDG_CACHE_HOME"));
+  EXPECT_FALSE(std::filesystem::exists("raced"));
+  const std::string file = folder_ / "file";
+  writeText(file, "");
+  cache_.set(file);
+  tap(Key::kEnter);
+  EXPECT_FALSE(started_);
+  EXPECT_TRUE(shows("its level cannot be written to"));
+}
+
 // The key of the list is expected, whatever the client remembers for the address.
 TEST_F(FrontPagesTest, JoinsAServerOfTheListUnderTheKeyOfTheList) {
   const ServerIdentity identity = ServerIdentity::random();

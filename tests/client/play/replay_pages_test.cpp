@@ -69,6 +69,7 @@ class ReplayPagesTest : public testing::Test {
   std::shared_ptr<const Level> racedOn_;
   std::optional<MedalTimes> medals_;
   fs::path raced_;
+  std::string noRace_;
   ReplayPages pages_{menu_,
                      folder_ / "runs",
                      ghosts_,
@@ -76,6 +77,7 @@ class ReplayPagesTest : public testing::Test {
                       [this](const std::shared_ptr<const Level>& level, const fs::path& file) {
                         racedOn_ = level;
                         raced_ = file;
+                        return noRace_;
                       },
                       [this](const std::shared_ptr<const Level>&) { return medals_; }}};
 };
@@ -107,6 +109,20 @@ TEST_F(ReplayPagesTest, ARunOfTheListIsWatchedAndRaced) {
   EXPECT_TRUE(shows("Your best runs"));
   tap(Key::kEscape);
   EXPECT_TRUE(shows("Title"));
+}
+
+TEST_F(ReplayPagesTest, WhyThereCanBeNoRaceIsSaidOnThePage) {
+  store_.keep(*played_.run);
+  pages_.showList();
+  EXPECT_TRUE(becomes("Floor"));
+  tap(Key::kEnter);
+  tap(Key::kArrowDown);
+  noRace_ = "the disk is full";
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("There can be no race: the disk is full."));
+  noRace_.clear();
+  tap(Key::kEnter);
+  EXPECT_FALSE(shows("There can be no race"));
 }
 
 TEST_F(ReplayPagesTest, ARecordingFromElsewhereIsKeptAsAGhost) {
