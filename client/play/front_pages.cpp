@@ -198,6 +198,7 @@ std::vector<std::string> FrontPages::filesFrom(std::size_t level) const {
 }
 
 void FrontPages::playFrom(std::size_t level) {
+  beside_ = [level] { return level; };  // also behind a page that says why it cannot be played
   MatchChoice choice;
   choice.own.levels = filesFrom(level);
   choice.own.waitsForOne = true;

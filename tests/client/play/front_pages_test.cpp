@@ -235,6 +235,26 @@ TEST_F(FrontPagesTest, WithoutAFolderOfTheUserARaceOnAnotherLevelSaysSoAndWrites
   EXPECT_TRUE(shows("its level cannot be written to"));
 }
 
+// Behind the page that said why it had not started, a level was shown that depended on the item with the focus.
+TEST_F(FrontPagesTest, TheChosenLevelStaysBehindAPageThatSaysWhyItCannotBePlayed) {
+  const auto fail = [this](const MatchChoice&) {
+    menu_.open([] {
+      MenuPage page{"It cannot be played"};
+      page.items = {{.name = "Try again", .choose = [] {}}, {.name = "Back", .choose = [] {}}};
+      return page;
+    });
+  };
+  FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"), {fail, [] {}});
+  pages.showTitle();
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown, 3);
+  const std::uint64_t chosen = pages.shownLevel()->hash;
+  tap(Key::kEnter);
+  ASSERT_TRUE(shows("It cannot be played"));
+  for (int item = 0; item < 2; ++item, tap(Key::kArrowDown)) EXPECT_EQ(pages.shownLevel()->hash, chosen) << item;
+}
+
 // The key of the list is expected, whatever the client remembers for the address.
 TEST_F(FrontPagesTest, JoinsAServerOfTheListUnderTheKeyOfTheList) {
   const ServerIdentity identity = ServerIdentity::random();
