@@ -58,6 +58,7 @@ void Menu::open(PageMaker page) {
 void Menu::push(PageMaker page) {
   const std::size_t focus = firstFocus(page());
   pages_.push_back({std::move(page), focus, 0});
+  rest_ = pointer_;
   note(Deed::kChosen);
   aside_ = dragging_ = false;
 }

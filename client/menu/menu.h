@@ -51,7 +51,7 @@ class Menu {
   /// Gives the focus to an item of the page. The menu is open.
   void setFocus(std::size_t item);
 
-  /// No effect while the menu is closed.
+  /// While the menu is closed, it only notes where the pointer is.
   void handle(const KeyEvent& event, const Font& font);
   void handle(const PointerEvent& event, const Font& font);
 
@@ -100,7 +100,7 @@ class Menu {
   float width_ = 1280;
   float scale_ = 1;
   std::optional<glm::vec2> pointer_;  // where it is, as far as known
-  std::optional<glm::vec2> rest_;     // where it has been since the last key; nothing: it has moved since
+  std::optional<glm::vec2> rest_;     // where it has been since the last key or page; nothing: it has moved since
   bool dragging_ = false;             // the slider that has the focus
   bool aside_ = false;
   Deed deed_ = Deed::kNone;

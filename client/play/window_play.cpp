@@ -124,7 +124,8 @@ void WindowPlay::handle(const KeyEvent& event) {
 void WindowPlay::handle(const PointerEvent& event) {
   if (event.kind == PointerEvent::Kind::kPress) view_.skip();
   const bool inGame = !menu_.isOpen() && !replay_;
-  replay_ ? replay_->handle(event, view_, interface_.settings()) : menu_.handle(event, view_.font());
+  if (replay_) replay_->handle(event, view_, interface_.settings());
+  menu_.handle(event, view_.font());  // closed during a replay: it notes where the pointer is
   if (inGame) mouseLook_.handle(event);
 }
 

@@ -269,6 +269,19 @@ TEST_F(MenuTest, APointerAtRestLeavesTheFocusToTheKeysFromTheBeginning) {
   EXPECT_EQ(menu_.focus(), 2U);
 }
 
+// It took the focus from the item with which the page began.
+TEST_F(MenuTest, APointerAtRestLeavesTheFocusToAPageThatOpens) {
+  openList(6);
+  const glm::vec2 place = middle(row(3).box);
+  menu_.close();
+  point(PointerEvent::Kind::kMove, place);
+  openList(6);
+  point(PointerEvent::Kind::kMove, place + glm::vec2(1, 0));
+  EXPECT_EQ(menu_.focus(), 1U);
+  point(PointerEvent::Kind::kMove, place + glm::vec2(5, 0));
+  EXPECT_EQ(menu_.focus(), 3U) << "it has moved";
+}
+
 TEST_F(MenuTest, TheMouseGoesBackByTwoButtonsAndByTheMark) {
   const auto pushed = [&] {
     openList(4);
