@@ -113,6 +113,14 @@ ServerIdentity readKeyFile(const std::string& path) {
   refuseToCreate(path, fault);
 }
 
+// A file of another user, such as a secret that is mounted into a container, is shared on purpose.
+std::string keyFileWarning(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || status.st_uid != geteuid()) return {};
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return {};
+  return "others may open the file, and who has the key can pose as the server; run chmod 600 " + path;
+}
+
 bool checkKeyFile(const std::string& path) {
   if (findIdentity(path)) return true;
   if (access(folderOf(path).c_str(), W_OK | X_OK) != 0) refuseToCreate(path, errno);

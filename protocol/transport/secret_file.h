@@ -15,6 +15,10 @@ std::string readPasswordFile(const std::string& path);
 /// then. Several servers may make the same file at once: all of them get the same identity.
 ServerIdentity readKeyFile(const std::string& path);
 
+/// Why the file of a key is not safe, with a remedy: as ssh does, if it belongs to the user of this program and others
+/// may open it. Else, and without such a file, an empty text.
+std::string keyFileWarning(const std::string& path);
+
 /// Throws ProgramError (kUsage) if `readKeyFile` would, but creates no file. Returns whether there is one.
 bool checkKeyFile(const std::string& path);
 

@@ -70,8 +70,10 @@ class Checker {
 
   void checkSecrets(const ServerOptions& options) {
     attempt([&] {
-      if (options.keyFile.empty() || checkKeyFile(options.keyFile)) return;
-      check_.summary += ", a key will be made in " + options.keyFile;
+      if (options.keyFile.empty()) return;
+      if (!checkKeyFile(options.keyFile)) check_.summary += ", a key will be made in " + options.keyFile;
+      const std::string warning = keyFileWarning(options.keyFile);
+      if (!warning.empty()) check_.errors.push_back(options.keyFile + ": warning: " + warning);
     });
     attempt([&] {
       if (!options.passwordFile.empty()) readPasswordFile(options.passwordFile);

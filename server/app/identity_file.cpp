@@ -21,6 +21,13 @@ std::filesystem::path stateFolder() {
   return {};
 }
 
+ServerIdentity readAndWarn(const std::string& keyFile, Log& log) {
+  const ServerIdentity identity = readKeyFile(keyFile);
+  if (const std::string reason = keyFileWarning(keyFile); !reason.empty())
+    log.warning("the key of the server is not private", {{"file", keyFile}, {"reason", reason}});
+  return identity;
+}
+
 }  // namespace
 
 std::string defaultKeyFile() {
@@ -29,14 +36,14 @@ std::string defaultKeyFile() {
 }
 
 ServerIdentity loadIdentity(const std::string& keyFile, Log& log) {
-  if (!keyFile.empty()) return readKeyFile(keyFile);
+  if (!keyFile.empty()) return readAndWarn(keyFile, log);
   const std::filesystem::path path = defaultKeyFile();
   std::string fault = "no folder for it: set STATE_DIRECTORY or HOME";
   if (!path.empty()) {
     std::error_code ignored;  // the file cannot be created then
     std::filesystem::create_directories(path.parent_path(), ignored);
     try {
-      return readKeyFile(path.string());
+      return readAndWarn(path.string(), log);
     } catch (const ProgramError& error) {
       fault = error.what();
     }

@@ -13,7 +13,7 @@ std::string defaultKeyFile();
 
 /// The identity in `keyFile` (--key-file), which is created if it is missing. An empty `keyFile` means the default one;
 /// if that cannot be used, the identity is a new one and the log warns that clients will not recognise the server after
-/// a restart. Throws ProgramError if a named file cannot be used.
+/// a restart. It also warns of a file that others may open. Throws ProgramError if a named file cannot be used.
 ServerIdentity loadIdentity(const std::string& keyFile, Log& log);
 
 }  // namespace platon

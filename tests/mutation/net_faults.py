@@ -329,7 +329,7 @@ SERVER_FAULTS = [
               "a configuration with max-players = 0 is accepted",
               "OptionTable.NumbersHaveARange"),
     at_length("check-makes-a-key", APP + "config_check.cpp",
-              "checkKeyFile(options.keyFile)) return;", "!readKeyFile(options.keyFile).text().empty()) return;",
+              "if (!checkKeyFile(options.keyFile)) check_", "if (readKeyFile(options.keyFile).text().empty()) check_",
               "a check of the configuration makes the key of the server",
               "ConfigCheckTest.AMissingKeyIsNotMade"),
     at_length("file-overrides-the-command-line", APP + "command_line.cpp",

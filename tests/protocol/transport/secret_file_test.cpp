@@ -82,6 +82,22 @@ TEST(SecretFile, AMissingKeyFileIsMadeForTheOwnerOnly) {
   EXPECT_EQ(std::filesystem::status(path).permissions(), perms::owner_read | perms::owner_write);
 }
 
+TEST(SecretFile, OnlyAKeyThatOthersMayOpenIsWarnedOf) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  EXPECT_EQ(keyFileWarning(path), "");
+  readKeyFile(path);
+  for (const mode_t mode : {0600U, 0400U}) {
+    ASSERT_EQ(chmod(path.c_str(), mode), 0);
+    EXPECT_EQ(keyFileWarning(path), "");
+  }
+  for (const mode_t mode : {0644U, 0640U, 0604U, 0660U}) {
+    ASSERT_EQ(chmod(path.c_str(), mode), 0);
+    EXPECT_EQ(keyFileWarning(path),
+              "others may open the file, and who has the key can pose as the server; run chmod 600 " + path);
+  }
+}
+
 TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
   const TemporaryFolder folder;
   const std::string path = folder / "key";

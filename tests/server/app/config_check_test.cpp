@@ -100,6 +100,17 @@ TEST_F(ConfigCheckTest, AcceptsAKeyAndAPassword) {
   EXPECT_EQ(check.summary, "levels: " + std::to_string(shippedLevels().size()));
 }
 
+TEST_F(ConfigCheckTest, WarnsOfAKeyThatOthersMayOpen) {
+  readKeyFile(at("key"));
+  ASSERT_EQ(chmod(at("key").c_str(), 0644), 0);
+  const ConfigCheck check = this->check("port = 0\nkey-file = \"key\"\n");
+  EXPECT_EQ(check.exitCode, 0);
+  EXPECT_EQ(check.errors, std::vector<std::string>{at("key") +
+                                                   ": warning: others may open the file, and who has the key can pose "
+                                                   "as the server; run chmod 600 " +
+                                                   at("key")});
+}
+
 TEST_F(ConfigCheckTest, AMissingKeyIsNotMade) {
   const ConfigCheck check = this->check("key-file = \"key\"\n");
   EXPECT_EQ(check.exitCode, 0);

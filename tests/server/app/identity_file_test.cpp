@@ -41,6 +41,19 @@ TEST_F(IdentityFileTest, WithoutAFolderTheServerStartsAndWarns) {
   EXPECT_TRUE(written_.starts_with("the key of the server is not kept")) << written_;
 }
 
+TEST_F(IdentityFileTest, AFileThatOthersMayOpenIsUsedAndWarnedOf) {
+  const EnvironmentVariable state("STATE_DIRECTORY", folder_ / "state");
+  const CryptoKey made = load();
+  const std::string file = folder_ / "state/server.key";
+  std::filesystem::permissions(file, std::filesystem::perms::others_read, std::filesystem::perm_options::add);
+  for (const std::string& named : {std::string(), file}) {
+    written_.clear();
+    EXPECT_EQ(load(named), made);
+    EXPECT_TRUE(written_.starts_with("the key of the server is not private file=\"" + file)) << written_;
+    EXPECT_NE(written_.find("chmod 600 " + file), std::string::npos) << written_;
+  }
+}
+
 TEST_F(IdentityFileTest, ANamedFileMustBeUsable) { EXPECT_THROW(load(folder_ / "missing/key"), ProgramError); }
 
 }  // namespace
