@@ -18,6 +18,8 @@
 namespace platon {
 namespace {
 
+constexpr const char* kOtherSocket = "; all is well if it is this server, which was started with another --socket";
+
 /// Collects what is wrong.
 class Checker {
  public:
@@ -95,7 +97,8 @@ class Checker {
     });
   }
 
-  // A server that runs uses its ports itself. Where it cannot be told whether one does, nothing is said.
+  // A server that runs uses its ports itself. Where it cannot be told whether one does, nothing is said. One whose
+  // `socket` has changed since its start cannot be told from another program.
   void checkPorts(const ServerOptions& options) {
     const Descriptor console = connectUnix(options.socket.empty() ? defaultConsolePath() : options.socket);
     if (console || (errno != ENOENT && errno != ECONNREFUSED)) return;
@@ -114,7 +117,9 @@ class Checker {
     try {
       open();
     } catch (const ProgramError& error) {
-      if (error.exitCode() == ProgramError::kFailed) check_.errors.push_back(std::string("warning: ") + error.what());
+      if (error.exitCode() == ProgramError::kFailed) {
+        check_.errors.push_back(std::string("warning: ") + error.what() + kOtherSocket);
+      }
     }
   }
 
