@@ -6,13 +6,19 @@
 #include <vector>
 
 #include "client/bot/bot.h"
-#include "client/desync/desync_folder.h"
+#include "client/desync/desync_report.h"
 #include "client/net/network_conditions.h"
 #include "client/time/clock.h"
+#include "protocol/program_options.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {
+
+/// Adds the options for simulated network conditions, in a group of their own: --loss --burst-loss --burst-length
+/// --delay --jitter --duplicate --reorder --rate --corrupt. Reading writes the values to `quality`, and refuses values
+/// out of range and --burst-length without --burst-loss.
+void addConditionOptions(ProgramOptions& program, LinkQuality& quality);
 
 struct FleetOptions {
   int count = 1;  ///< 1 … 256

@@ -7,7 +7,6 @@
 
 #include "client/bot/bot_fleet.h"
 #include "client/bot/bot_report.h"
-#include "client/bot/condition_options.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "protocol/program_options.h"

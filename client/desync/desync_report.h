@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/desync/desync_detector.h"
@@ -16,5 +18,22 @@ struct DesyncReport {
 };
 
 DesyncReport reportOf(Desync desync);
+
+/// The folder to which desync reports are written. Holds at most kMaxReports reports of a few MiB each, because a
+/// malicious server can cause any number of desyncs.
+class DesyncFolder {
+ public:
+  static constexpr int kMaxReports = 10;
+
+  /// The folder is created with the first report. Empty path: no reports are written.
+  explicit DesyncFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Writes the report and its recording. Returns a log message: the summary, and the path of the report or why it was
+  /// not written.
+  std::string write(const DesyncReport& report) const;
+
+ private:
+  std::filesystem::path folder_;
+};
 
 }  // namespace platon

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "client/netcode/attempt_time.h"
+#include "client/netcode/player_watch.h"
 #include "client/scene/scene.h"
 #include "platon/game/game.h"
 

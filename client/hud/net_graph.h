@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "client/netcode/link_statistics.h"
+#include "client/netcode/link_meter.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "client/net/connection.h"
 #include "protocol/moment.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/enet_calls.h"
@@ -78,5 +79,8 @@ class Connection : private EnetPort {
   Moment now_{};   // of the present call
   Bytes content_;  // the last one handed to ENet
 };
+
+/// Why a gate that has ended the handshake did so, as a sentence for the player.
+Connection::Refused refusalOf(const ClientGate& gate);
 
 }  // namespace platon

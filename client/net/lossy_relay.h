@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "client/net/lossy_relay.h"
 #include "client/net/network_conditions.h"
 #include "protocol/transport/server_address.h"
 
@@ -48,6 +49,27 @@ class LossyRelay {
   sockaddr_in client_{};  // port 0 until the client has sent a datagram
   NetworkConditions up_;
   NetworkConditions down_;
+};
+
+/// A bot's route to the server: direct, or through a relay of its own that simulates network conditions.
+class ServerRoute {
+ public:
+  /// Uses a relay unless `quality` is perfect. `seed`: of the relay's random numbers. Throws std::runtime_error as
+  /// LossyRelay does.
+  ServerRoute(const ServerAddress& server, const LinkQuality& quality, std::uint64_t seed) : server_(server) {
+    if (!quality.perfect()) relay_.emplace(server, quality, seed);
+  }
+
+  /// The address to connect to.
+  ServerAddress address() const { return relay_ ? relay_->address() : server_; }
+  /// Forwards datagrams. Call before the bot receives and after it has sent.
+  void pump(Moment now) {
+    if (relay_) relay_->pump(now);
+  }
+
+ private:
+  ServerAddress server_;
+  std::optional<LossyRelay> relay_;
 };
 
 }  // namespace platon

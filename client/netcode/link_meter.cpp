@@ -1,5 +1,8 @@
 #include "client/netcode/link_meter.h"
 
+#include "platon/game/game.h"
+#include "protocol/moment.h"
+
 namespace platon {
 
 namespace {
@@ -24,6 +27,17 @@ void LinkMeter::receive(const ConfirmedTicks& message, Moment now) {
   lostUp_ = message.link->lostPercent;
   const Moment sample = now - sentAt_[reported];
   roundTrip_ = roundTrip_ == Moment{} ? sample : roundTrip_ + (sample - roundTrip_) / kSmoothing;
+}
+
+LinkStatistics LinkMeter::statistics(const PredictionClock* clock) const {
+  LinkStatistics statistics;
+  statistics.rttMs = toSeconds(roundTrip_) * 1000;
+  statistics.lostDownPercent = lostDownPercent();
+  statistics.lostUpPercent = lostUp_;
+  if (clock == nullptr) return statistics;
+  statistics.jitterMs = clock->jitterTicks() * 1000 / kTicksPerSecond;
+  statistics.slackTicks = clock->slack();
+  return statistics;
 }
 
 }  // namespace platon

@@ -3,11 +3,21 @@
 #include <array>
 #include <cstdint>
 
+#include "client/netcode/prediction_clock.h"
 #include "protocol/loss_meter.h"
 #include "protocol/moment.h"
 #include "protocol/to_client.h"
 
 namespace platon {
+
+/// Quality of a connection in display units.
+struct LinkStatistics {
+  double rttMs = 0;            ///< smoothed; includes the server's wait for its next tick and message
+  double jitterMs = 0;         ///< of messages to the server: 99th percentile minus median of their lateness
+  double slackTicks = 0;       ///< ticks by which the last reported input was early; negative: too late
+  double lostDownPercent = 0;  ///< of the last hundred messages
+  double lostUpPercent = 0;
+};
 
 /// Measures round trip and loss of a connection from the sequence numbers of PlayerInputs and ConfirmedTicks.
 class LinkMeter {
@@ -23,6 +33,8 @@ class LinkMeter {
   std::uint32_t lostDownPercent() const { return down_.lostPercent(); }
   /// Lost messages among the last hundred to the server, as it reports them, per cent.
   std::uint32_t lostUpPercent() const { return lostUp_; }
+  /// `clock`: null while no round runs; jitter and slack are 0 then.
+  LinkStatistics statistics(const PredictionClock* clock) const;
 
  private:
   std::array<Moment, 256> sentAt_{};  // by sequence number

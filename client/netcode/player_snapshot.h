@@ -52,4 +52,7 @@ struct InterpolatedPlayers {
   }
 };
 
+/// Seconds that so many ticks last.
+constexpr double secondsOf(double ticks) { return ticks / kTicksPerSecond; }
+
 }  // namespace platon

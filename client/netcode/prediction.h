@@ -1,17 +1,64 @@
 #pragma once
 
 #include <array>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "client/netcode/error_smoothing.h"
+#include "platon/exact/point.h"
 #include "platon/game/game.h"
+#include "platon/game/input.h"
 #include "platon/physics/unfold.h"
 #include "protocol/moment.h"
 
 namespace platon {
+
+/// Follows the confirmed game of a client, which is the server's, tick by tick. It only watches.
+class ConfirmedObserver {
+ public:
+  virtual ~ConfirmedObserver() = default;
+  /// The confirmed game is another one: at the start of a round, and after a full state of the server. `slot` is the
+  /// local player's.
+  virtual void began(const Game& confirmed, std::uint32_t slot) = 0;
+  /// `confirmed` has been advanced by `inputs`.
+  virtual void advanced(std::span<const Input> inputs, const Game& confirmed) = 0;
+};
+
+/// Hides corrections of the local player's prediction: the offset between drawn and predicted position. Each correction
+/// fades linearly to zero within 100 ms. Offsets are in the player's own frame, so that crossing an edge does not
+/// disturb them.
+///
+/// At most one correction comes with each of the server's 60 messages per second: 6 within 100 ms, more after a stall.
+/// If more than kMaxCorrections are fading, the oldest is dropped.
+class ErrorSmoothing {
+ public:
+  static constexpr Moment kDuration = std::chrono::milliseconds(100);
+  static constexpr std::size_t kMaxCorrections = 32;
+
+  /// Adds a correction made at `now`, which never decreases. `offset`: old minus new position, subunits, in the
+  /// player's own frame.
+  void add(Point offset, Moment now);
+  /// The offset to add to the predicted position at `now`. Each fading correction is rounded towards zero.
+  Point at(Moment now) const;
+  void clear() { count_ = 0; }
+
+ private:
+  struct Correction {
+    Point offset;
+    Moment start{};
+
+    Moment remaining(Moment now) const;
+    Point at(Moment now) const;
+  };
+
+  void dropOldest();
+
+  std::array<Correction, kMaxCorrections> corrections_;  // the first count_ are fading, oldest first
+  std::size_t count_ = 0;
+};
 
 /// Accuracy of the local player's prediction.
 struct PredictionStatistics {

@@ -12,18 +12,15 @@
 
 namespace platon {
 
-/// Determines up to which tick the client must have predicted by now, so that its inputs reach the server in time. One
-/// clock serves one round. It starts with the first ConfirmedTicks message that shows the server's current tick.
+/// Tells up to which tick the client must have predicted by now, so that its inputs reach the server just in time. It
+/// counts ticks by real time, from the first ConfirmedTicks message of a round that shows the server's current tick.
+/// The server reports by how many ticks inputs were early, their slack, and the clock follows the lead over real time
+/// with which 99 % of the last 256 reported inputs would have been in time, plus one spare tick.
 ///
-/// The server reports the slack of inputs: by how many ticks they arrived before they were needed. Each report becomes
-/// a sample of the lead over real time with which that input would have arrived just in time. The sample uses the lead
-/// that the clock had when it passed that tick, so it does not depend on later changes of the clock, and the clock does
-/// not oscillate on long round trips.
-///
-/// The target lead is the 99th percentile of the last 256 samples plus one spare tick. The clock slews towards it by at
-/// most 2 %, and jumps if it is more than a second off. During the first 64 reports it never slews back, and jumps
-/// forward when it is behind: the first reports do not show yet how late other inputs will be. A pure function of the
-/// messages and times passed in.
+/// It slews by at most 2 %, and jumps if it is more than a second off. During the first 64 reports it never slews back,
+/// and jumps forward when it is behind: they do not show yet how late other inputs will be. What a report asks for is
+/// computed from the lead that the clock had when it passed that tick, so it does not depend on later changes of the
+/// clock, and the clock does not oscillate on long round trips. A pure function of the messages and times passed in.
 class PredictionClock {
  public:
   static constexpr double kMaxSlew = 0.02;

@@ -21,7 +21,6 @@
 #include "client/play/offscreen/offscreen_play.h"
 #include "client/play/offscreen/offscreen_replay.h"
 #include "client/play/window_play.h"
-#include "client/time/processor_time.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "server/app/level_files.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "client/netcode/attempt_time.h"
+#include "client/netcode/player_watch.h"
 
 namespace platon {
 

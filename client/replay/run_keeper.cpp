@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "client/netcode/seconds_of.h"
+#include "client/netcode/player_snapshot.h"
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "client/job/job.h"
-#include "client/netcode/confirmed_observer.h"
+#include "client/netcode/prediction.h"
 #include "client/replay/level_ghosts.h"
 #include "client/replay/run_cutter.h"
 #include "client/replay/run_saver.h"

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "client/netcode/seconds_of.h"
+#include "client/netcode/player_snapshot.h"
 #include "client/scene/pose_between.h"
 
 namespace platon {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "client/netcode/attempt_time.h"
 #include "client/netcode/player_snapshot.h"
+#include "client/netcode/player_watch.h"
 #include "client/scene/element_states.h"
 #include "client/scene/face_mark.h"
 #include "client/scene/palette.h"

@@ -97,6 +97,6 @@ void HollowSession::chooseInputs(Moment now, const Buttons& buttons) {
   }
 }
 
-LinkStatistics HollowSession::linkStatistics() const { return makeLinkStatistics(linkMeter_, &round_.clock); }
+LinkStatistics HollowSession::linkStatistics() const { return linkMeter_.statistics(&round_.clock); }
 
 }  // namespace platon

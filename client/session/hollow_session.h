@@ -10,7 +10,6 @@
 
 #include "client/netcode/input_sender.h"
 #include "client/netcode/link_meter.h"
-#include "client/netcode/link_statistics.h"
 #include "client/netcode/prediction_clock.h"
 #include "client/session/outgoing_message.h"
 #include "protocol/assembly.h"

@@ -3,6 +3,7 @@
 #include <sodium.h>
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include "protocol/transport/udp_socket.h"
@@ -157,5 +158,14 @@ void NetworkClient::leave() {
 std::optional<DesyncReport> NetworkClient::takeDesync() { return session_ ? session_->takeDesync() : std::nullopt; }
 
 Traffic NetworkClient::traffic() const { return connection_ ? pastTraffic_ + connection_->traffic() : pastTraffic_; }
+
+void updateUntilClosed(const Clock& clock, const std::function<void(Moment)>& update,
+                       const std::function<bool()>& closed) {
+  const Moment end = clock.now() + std::chrono::milliseconds(500);
+  for (Moment now = clock.now(); now < end && !closed(); now = clock.now()) {
+    update(now);
+    clock.sleepUntil(now + std::chrono::milliseconds(2));
+  }
+}
 
 }  // namespace platon

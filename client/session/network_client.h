@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "client/net/connection.h"
 #include "client/session/session.h"
+#include "client/time/clock.h"
 #include "protocol/moment.h"
 #include "protocol/transport/server_address.h"
 
@@ -137,5 +139,10 @@ class NetworkClient {
   std::uint32_t resumes_ = 0;
   Traffic pastTraffic_;  // of earlier connections
 };
+
+/// Calls `update` every 2 ms until `closed` returns true, for half a second at most: the time that a Leave message gets
+/// to reach the server.
+void updateUntilClosed(const Clock& clock, const std::function<void(Moment)>& update,
+                       const std::function<bool()>& closed);
 
 }  // namespace platon

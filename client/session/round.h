@@ -9,12 +9,9 @@
 #include <vector>
 
 #include "client/desync/desync_detector.h"
-#include "client/netcode/attempt_time.h"
-#include "client/netcode/confirmed_observer.h"
-#include "client/netcode/endless_fall.h"
 #include "client/netcode/input_sender.h"
 #include "client/netcode/interpolation_buffer.h"
-#include "client/netcode/player_flashes.h"
+#include "client/netcode/player_watch.h"
 #include "client/netcode/prediction.h"
 #include "client/netcode/prediction_clock.h"
 #include "platon/game/game.h"

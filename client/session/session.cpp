@@ -296,9 +296,7 @@ void Session::closeRound() {
   state_.clear();
 }
 
-LinkStatistics Session::linkStatistics() const {
-  return makeLinkStatistics(linkMeter_, round_ ? &round_->clock() : nullptr);
-}
+LinkStatistics Session::linkStatistics() const { return linkMeter_.statistics(round_ ? &round_->clock() : nullptr); }
 
 PredictionStatistics Session::predictionStatistics() const {
   return round_ ? sum(pastPrediction_, round_->prediction().statistics()) : pastPrediction_;

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "client/desync/desync_report.h"
-#include "client/netcode/confirmed_observer.h"
 #include "client/netcode/link_meter.h"
-#include "client/netcode/link_statistics.h"
+#include "client/netcode/prediction.h"
 #include "client/session/level_store.h"
 #include "client/session/outgoing_message.h"
 #include "client/session/round.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 
 #include "protocol/moment.h"
 
@@ -10,6 +11,32 @@ namespace platon {
 struct Clock {
   std::function<Moment()> now;             ///< never decreases
   std::function<void(Moment)> sleepUntil;  ///< returns at once if that moment has passed
+};
+
+/// A monotonic clock that can be stopped, goes on from where it stood, and can run slower. Several threads may use it.
+class PausableClock {
+ public:
+  /// `now` is the clock that it follows, which never decreases.
+  explicit PausableClock(std::function<Moment()> now) : source_(std::move(now)), source0_(source_()), own0_(source0_) {}
+
+  /// The time of the source less that of all pauses, at the speeds at which it passed.
+  Moment now() const;
+  /// Stops or goes on. No effect if it does so already.
+  void setPaused(bool paused);
+  bool paused() const;
+  /// From now on a second of the source is so many seconds of this clock, more than 0 and at most 1; at first 1.
+  void setSpeed(double speed);
+
+ private:
+  Moment current() const;
+  void change(bool paused, double speed);
+
+  std::function<Moment()> source_;
+  mutable std::mutex mutex_;
+  Moment source0_;  // time of the source at the last change
+  Moment own0_;     // time of this clock then
+  double speed_ = 1;
+  bool paused_ = false;
 };
 
 }  // namespace platon

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include "client/time/clock.h"
+#include "protocol/moment.h"
 
 namespace platon {
 
@@ -13,5 +15,21 @@ inline Clock steadyClock() {
   return {[] { return std::chrono::duration_cast<Moment>(Steady::now().time_since_epoch()); },
           [](Moment moment) { std::this_thread::sleep_until(Steady::time_point(moment)); }};
 }
+
+namespace intern {
+
+inline Moment readClock(clockid_t clock) {
+  std::timespec time{};
+  clock_gettime(clock, &time);
+  return std::chrono::duration_cast<Moment>(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+}
+
+}  // namespace intern
+
+/// Time for which a processor has worked for the calling thread. Only programs and tests may use it.
+inline Moment threadTime() { return intern::readClock(CLOCK_THREAD_CPUTIME_ID); }
+
+/// Time for which processors have worked for all threads of the program. Only programs and tests may use it.
+inline Moment programTime() { return intern::readClock(CLOCK_PROCESS_CPUTIME_ID); }
 
 }  // namespace platon

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "client/netcode/seconds_of.h"
+#include "client/netcode/player_snapshot.h"
 #include "platon/game/utf8.h"
 
 namespace platon {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "client/netcode/seconds_of.h"
+#include "client/netcode/player_snapshot.h"
 #include "client/ui/fitted_text.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"

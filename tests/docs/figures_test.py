@@ -175,7 +175,7 @@ def tilts(sources):
 def hint(sources):
     """Seconds of a fall after which it is tried out, laps without a landing that show the hint, laps that restart."""
     patience, *laps = (
-        sources.constant("client/netcode/endless_fall.h", name) for name in ("kPatience", "kHintLaps", "kRestartLaps"))
+        sources.constant("client/netcode/player_watch.h", name) for name in ("kPatience", "kHintLaps", "kRestartLaps"))
     return [f"{patience / 60:g}", *map(str, laps)]
 
 
@@ -255,12 +255,12 @@ FIGURES = [
     Figures("docs/level_format.md", "at most {} MiB", constant("shared/include/platon/game/level.h", "kMaxLevelBytes", 1 / (1 << 20))),
     Figures("docs/hosting.md", "wakes every {} ms", constant("server/app/dedicated_server.h", "kIdleWait")),
     Figures("docs/hosting.md", "the queue of {} lines", constant("server/app/async_line_writer.h", "kQueueLines")),
-    Figures("docs/netcode.md", "within {} ms (`ErrorSmoothing::kDuration`)", constant("client/netcode/error_smoothing.h", "kDuration")),
-    Figures("docs/netcode.md", "lands after at least {} ticks in the air", constant("client/netcode/player_flashes.h", "kMinAirTicks")),
+    Figures("docs/netcode.md", "within {} ms (`ErrorSmoothing::kDuration`)", constant("client/netcode/prediction.h", "kDuration")),
+    Figures("docs/netcode.md", "lands after at least {} ticks in the air", constant("client/netcode/player_watch.h", "kMinAirTicks")),
     Figures("docs/netcode.md", "keeps the players of the last {} ticks", constant(BUFFER, "kMaxSnapshots")),
     Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
     Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
-    Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_folder.h", "kMaxReports")),
+    Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_report.h", "kMaxReports")),
     Figures("docs/playing.md", "fallen for {} s and would not land within {} laps, or have fallen for as many, you are told that R "
             "returns to the start; after lap {} the client presses R itself", hint),
     Figures("docs/playing.md", "{} high and about {} wide", lambda sources: jump(sources)[1:]),

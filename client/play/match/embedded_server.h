@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/time/pausable_clock.h"
+#include "client/time/clock.h"
 #include "protocol/transport/noise.h"
 #include "protocol/transport/server_address.h"
 

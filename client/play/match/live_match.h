@@ -12,7 +12,6 @@
 #include "client/play/match/embedded_server.h"
 #include "client/play/match/match_play.h"
 #include "client/time/clock.h"
-#include "client/time/pausable_clock.h"
 #include "protocol/transport/password.h"
 #include "protocol/transport/server_address.h"
 

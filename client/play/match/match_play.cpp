@@ -9,8 +9,8 @@
 #include "client/files/level_cache.h"
 #include "client/files/server_file_name.h"
 #include "client/files/user_folders.h"
-#include "client/netcode/seconds_of.h"
-#include "client/session/farewell.h"
+#include "client/netcode/player_snapshot.h"
+#include "client/session/network_client.h"
 #include "client/ui/player_rows.h"
 
 namespace platon {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "client/desync/desync_folder.h"
+#include "client/desync/desync_report.h"
 #include "client/files/session_file.h"
 #include "client/hud/hud.h"
 #include "client/lobby/known_servers.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/netcode/attempt_time.h"
+#include "client/netcode/player_watch.h"
 #include "client/scene/scene.h"
 #include "client/scene/stage_model.h"
 #include "platon/game/game.h"

@@ -1,5 +1,4 @@
 #include "client/net/lossy_relay.h"
-#include "protocol/transport/udp_socket.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include <string>
 
 #include "client/net/connection.h"
+#include "protocol/transport/udp_socket.h"
 #include "tests/support/wait_until.h"
 
 namespace platon::lossy_relay_test {
@@ -158,6 +158,25 @@ TEST_F(LossyRelayTest, AClientOnANewPortGetsANewPortTowardsTheServer) {
   EXPECT_EQ(receive(after), "to the second");
   expectNothingMore(after);
   expectNothingMore(before);
+}
+
+TEST(ServerRoute, IsDirectUnderPerfectConditions) {
+  const ServerRoute route({"example.invalid", 7801}, LinkQuality(), 1);
+  EXPECT_EQ(route.address().text(), "example.invalid:7801");
+}
+
+TEST(ServerRoute, UsesALocalRelayUnderSimulatedConditions) {
+  LinkQuality quality;
+  quality.delayMs = 1;
+  const ServerRoute route({"127.0.0.1", 7801}, quality, 1);
+  EXPECT_EQ(route.address().host, "127.0.0.1");
+  EXPECT_NE(route.address().port, 7801);
+}
+
+TEST(ServerRoute, ThrowsForAnUnknownHostBehindARelay) {
+  LinkQuality quality;
+  quality.delayMs = 1;
+  EXPECT_THROW(ServerRoute({"no such host", 1}, quality, 1), std::runtime_error);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include "client/session/network_client.h"
-#include "protocol/transport/udp_socket.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 
 #include "client/play/match/embedded_server.h"
 #include "client/time/steady_now.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/net/host.h"
 
 namespace platon::network_client_test {
@@ -124,6 +124,39 @@ TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
   client.leave();
   EXPECT_TRUE(updateUntil(client, [&] { return client.closed(); }));
   EXPECT_EQ(client.ending(), std::nullopt);
+}
+
+class Farewell : public testing::Test {
+ protected:
+  // Updates until `closeAfter` updates have been made; returns how long it took.
+  Moment run(int closeAfter) {
+    const Moment start = now_;
+    const auto update = [this](Moment now) {
+      EXPECT_EQ(now, now_);
+      ++updates_;
+    };
+    updateUntilClosed(clock_, update, [&] { return updates_ >= closeAfter; });
+    return now_ - start;
+  }
+
+  Moment now_ = std::chrono::seconds(7);
+  Clock clock_{[this] { return now_; }, [this](Moment until) { now_ = until; }};
+  int updates_ = 0;
+};
+
+TEST_F(Farewell, DoesNotUpdateAClosedConnection) {
+  EXPECT_EQ(run(0), Moment{});
+  EXPECT_EQ(updates_, 0);
+}
+
+TEST_F(Farewell, UpdatesEveryTwoMillisecondsUntilClosed) {
+  EXPECT_EQ(run(5), milliseconds(10));
+  EXPECT_EQ(updates_, 5);
+}
+
+TEST_F(Farewell, EndsAfterHalfASecond) {
+  EXPECT_EQ(run(100000), milliseconds(500));
+  EXPECT_EQ(updates_, 250);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include "client/session/session.h"
-#include "client/netcode/endless_fall.h"
+#include "client/netcode/player_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "client/netcode/confirmed_observer.h"
+#include "client/netcode/prediction.h"
 #include "tests/support/pressing.h"
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/bot/playing_bot.h"
+#include "client/bot/bot.h"
 #include "tests/support/loopback_server.h"
 
 namespace platon::stall_test {

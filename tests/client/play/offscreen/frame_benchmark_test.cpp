@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "client/time/processor_time.h"
 #include "client/time/steady_now.h"
 #include "server/app/level_files.h"
 

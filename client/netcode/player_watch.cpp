@@ -1,4 +1,4 @@
-#include "client/netcode/endless_fall.h"
+#include "client/netcode/player_watch.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,6 +6,49 @@
 #include "platon/game/input.h"
 
 namespace platon {
+
+void AttemptTime::observe(std::uint32_t ticks, const PlayerState& player) {
+  if (ticks <= newest_) return;
+  newest_ = ticks;
+  const bool arrives = player.arrived != 0 && !arrived_;
+  const bool improves = player.finishTicks != best_;
+  arrived_ = player.arrived != 0;
+  best_ = player.finishTicks;
+  if (player.startedAt == 0) {
+    attempt_ = 0;
+  } else if (arrives && improves) {
+    attempt_ = player.finishTicks;  // exact also if the arrival was predicted too late
+  } else if (arrives || !arrived_) {
+    attempt_ = ticks - player.startedAt + 1;
+  }
+}
+
+void PlayerFlashes::observe(std::uint32_t slot, std::uint32_t ticks, const PlayerState& player) {
+  if (slot >= players_.size()) players_.resize(slot + 1);
+  Observed& observed = players_[slot];
+  if (ticks <= observed.newest) return;
+  const bool first = observed.newest == 0;
+  observed.newest = ticks;
+  const bool stands = player.ground != Point();
+  const bool lands = stands && observed.airTicks >= kMinAirTicks;
+  // A player that had finished before the first observation does not flash.
+  const bool finishes = !first && player.finished() && !observed.finished;
+  observed.airTicks = stands || player.present == 0 ? 0 : observed.airTicks + 1;
+  observed.finished = player.finished();
+  if (lands || finishes) observed.flashes[observed.count++ % observed.flashes.size()] = ticks;
+}
+
+double PlayerFlashes::brightness(std::uint32_t slot, double tick) const {
+  if (slot >= players_.size()) return 0;
+  const Observed& observed = players_[slot];
+  double brightest = 0;
+  for (std::size_t i = 0; i < std::min(observed.count, observed.flashes.size()); ++i) {
+    const double age = tick - observed.flashes[i];
+    if (age >= 0) brightest = std::max(brightest, 1 - age / kTicks);
+  }
+  return brightest;
+}
+
 namespace {
 
 constexpr int kFacesOfLap = 4;  // at least

@@ -1,10 +1,10 @@
-#include "client/time/pausable_clock.h"
+#include "client/time/clock.h"
 
 #include <chrono>
 
 #include <gtest/gtest.h>
 
-namespace platon::pausable_clock_test {
+namespace platon::clock_test {
 namespace {
 
 using std::chrono::seconds;
@@ -76,4 +76,4 @@ TEST_F(PausableClockTest, NeverGoesBackWhateverIsChanged) {
 }
 
 }  // namespace
-}  // namespace platon::pausable_clock_test
+}  // namespace platon::clock_test

@@ -1,4 +1,4 @@
-#include "client/time/pausable_clock.h"
+#include "client/time/clock.h"
 
 namespace platon {
 

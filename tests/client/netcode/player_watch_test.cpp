@@ -1,4 +1,4 @@
-#include "client/netcode/endless_fall.h"
+#include "client/netcode/player_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "platon/game/game.h"
 #include "tests/levels/shipped_level.h"
 #include "tests/support/files.h"
 #include "tests/support/test_level.h"
 
-namespace platon::endless_fall_test {
+namespace platon::player_watch_test {
 namespace {
 
 int lapsOf(std::initializer_list<std::uint32_t> faces) {
@@ -188,5 +189,174 @@ TEST(EndlessFallOnTheWays, TheHintNeverShowsOnARecordedWay) {
   }
 }
 
+PlayerState startedAt(std::uint32_t tick) {
+  PlayerState player;
+  player.present = 1;
+  player.startedAt = tick;
+  return player;
+}
+
+PlayerState arrivedAt(std::uint32_t start, std::uint32_t best) {
+  PlayerState player = startedAt(start);
+  player.arrived = 1;
+  player.finishTicks = best;
+  return player;
+}
+
+TEST(AttemptTime, RunsFromTheFirstInput) {
+  AttemptTime time;
+  time.observe(40, startedAt(0));
+  EXPECT_EQ(time.ticks(), 0u);
+  time.observe(41, startedAt(41));
+  EXPECT_EQ(time.ticks(), 1u);
+  time.observe(141, startedAt(41));
+  EXPECT_EQ(time.ticks(), 101u);
+  EXPECT_FALSE(time.arrived());
+}
+
+TEST(AttemptTime, StandsStillAfterTheArrivalUntilARestart) {
+  AttemptTime time;
+  time.observe(50, startedAt(41));
+  time.observe(60, arrivedAt(41, 20));
+  time.observe(90, arrivedAt(41, 20));
+  EXPECT_EQ(time.ticks(), 20u);
+  EXPECT_TRUE(time.arrived());
+  PlayerState again = startedAt(0);
+  again.finishTicks = 20;
+  time.observe(91, again);
+  EXPECT_EQ(time.ticks(), 0u);
+  EXPECT_FALSE(time.arrived());
+}
+
+TEST(AttemptTime, ASlowerAttemptKeepsItsOwnTime) {
+  AttemptTime time;
+  time.observe(60, arrivedAt(41, 20));
+  PlayerState again = startedAt(100);
+  again.finishTicks = 20;
+  time.observe(120, again);
+  time.observe(130, arrivedAt(100, 20));
+  time.observe(160, arrivedAt(100, 20));
+  EXPECT_EQ(time.ticks(), 31u);
+}
+
+// The state knows the exact time where the prediction learns of the arrival late.
+TEST(AttemptTime, ANewBestTimeIsThatOfTheGame) {
+  AttemptTime time;
+  time.observe(60, startedAt(41));
+  time.observe(64, arrivedAt(41, 20));
+  EXPECT_EQ(time.ticks(), 20u);
+}
+
+TEST(AttemptTime, APlayerWhoRejoinsAtTheGoalHasItsBestTime) {
+  AttemptTime time;
+  time.observe(500, arrivedAt(41, 20));
+  EXPECT_EQ(time.ticks(), 20u);
+}
+
+TEST(AttemptTime, ReplayedTicksAreIgnored) {
+  AttemptTime time;
+  time.observe(60, startedAt(41));
+  time.observe(50, startedAt(0));
+  EXPECT_EQ(time.ticks(), 20u);
+}
+
+TEST(AttemptTime, IsTheTimeOfTheGame) {
+  Game game(flatLevel());
+  AttemptTime time;
+  const auto advance = [&](std::uint8_t buttons) {
+    game.advance(std::vector{Input{static_cast<std::uint8_t>(Input::kPresent | buttons)}});
+    time.observe(game.tick(), game.player(0));
+  };
+  for (int tick = 0; tick < 30; ++tick) advance(0);
+  EXPECT_EQ(time.ticks(), 0u);
+  while (!game.player(0).finished() && game.tick() < 1000) advance(Input::kRight);
+  ASSERT_TRUE(game.player(0).finished());
+  EXPECT_EQ(time.ticks(), game.player(0).finishTicks);
+  for (int tick = 0; tick < 30; ++tick) advance(0);
+  EXPECT_EQ(time.ticks(), game.player(0).finishTicks);
+}
+
+PlayerState falling() {
+  PlayerState player;
+  player.present = 1;
+  return player;
+}
+
+PlayerState standing() {
+  PlayerState player = falling();
+  player.ground = {0, PlayerState::kUnit};
+  return player;
+}
+
+// The player stands, falls from tick 10 on, and lands at tick `landing`.
+void fall(PlayerFlashes& flashes, std::uint32_t slot, std::uint32_t landing) {
+  for (std::uint32_t tick = 1; tick < 10; ++tick) flashes.observe(slot, tick, standing());
+  for (std::uint32_t tick = 10; tick < landing; ++tick) flashes.observe(slot, tick, falling());
+  flashes.observe(slot, landing, standing());
+}
+
+TEST(PlayerFlashes, ALandingFlashesAtItsTickAndFades) {
+  PlayerFlashes flashes;
+  fall(flashes, 3, 40);
+  EXPECT_EQ(flashes.brightness(3, 39.9), 0);
+  EXPECT_EQ(flashes.brightness(3, 40), 1);
+  EXPECT_DOUBLE_EQ(flashes.brightness(3, 40 + PlayerFlashes::kTicks / 2.0), 0.5);
+  EXPECT_EQ(flashes.brightness(3, 40 + PlayerFlashes::kTicks), 0);
+  EXPECT_EQ(flashes.brightness(2, 40), 0);
+  EXPECT_EQ(flashes.brightness(9, 40), 0);
+}
+
+TEST(PlayerFlashes, ReplayedTicksAreIgnored) {
+  PlayerFlashes flashes;
+  fall(flashes, 0, 40);
+  for (std::uint32_t tick = 30; tick < 38; ++tick) flashes.observe(0, tick, falling());
+  flashes.observe(0, 38, standing());  // the replay lands at another tick
+  for (std::uint32_t tick = 39; tick < 60; ++tick) flashes.observe(0, tick, standing());
+  EXPECT_EQ(flashes.brightness(0, 38), 0);
+  EXPECT_EQ(flashes.brightness(0, 40), 1);
+  EXPECT_EQ(flashes.brightness(0, 41), 1 - 1.0 / PlayerFlashes::kTicks);
+}
+
+TEST(PlayerFlashes, AShortFallDoesNotFlash) {
+  PlayerFlashes flashes;
+  fall(flashes, 0, 10 + PlayerFlashes::kMinAirTicks - 1);
+  EXPECT_EQ(flashes.brightness(0, 10 + PlayerFlashes::kMinAirTicks - 1), 0);
+  PlayerFlashes others;
+  fall(others, 0, 10 + PlayerFlashes::kMinAirTicks);
+  EXPECT_EQ(others.brightness(0, 10 + PlayerFlashes::kMinAirTicks), 1);
+}
+
+TEST(PlayerFlashes, AFinishFlashesOnce) {
+  PlayerFlashes flashes;
+  PlayerState player = standing();
+  flashes.observe(0, 1, player);
+  player.finishTicks = 1;
+  for (std::uint32_t tick = 2; tick < 100; ++tick) flashes.observe(0, tick, player);
+  EXPECT_EQ(flashes.brightness(0, 2), 1);
+  EXPECT_EQ(flashes.brightness(0, 50), 0);
+}
+
+TEST(PlayerFlashes, AnEarlierFinishDoesNotFlash) {
+  PlayerFlashes flashes;
+  PlayerState player = standing();
+  player.finishTicks = 1;
+  for (std::uint32_t tick = 300; tick < 330; ++tick) flashes.observe(0, tick, player);
+  for (std::uint32_t tick = 300; tick < 330; ++tick) EXPECT_EQ(flashes.brightness(0, tick), 0) << tick;
+}
+
+// A viewer behind the newest tick sees each flash later.
+TEST(PlayerFlashes, EachShowsAtItsOwnTick) {
+  PlayerFlashes flashes;
+  std::uint32_t tick = 0;
+  for (int landing = 0; landing < 3; ++landing) {
+    for (std::uint32_t air = 0; air < PlayerFlashes::kMinAirTicks; ++air) flashes.observe(0, ++tick, falling());
+    flashes.observe(0, ++tick, standing());
+  }
+  for (std::uint32_t landing = 1; landing <= 3; ++landing) {
+    EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kMinAirTicks + 1)), 1) << landing;
+    EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kMinAirTicks + 1) - 1), 0) << landing;
+  }
+}
+
 }  // namespace
-}  // namespace platon::endless_fall_test
+}  // namespace platon::player_watch_test
