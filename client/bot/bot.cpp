@@ -72,7 +72,7 @@ PredictionStatistics HollowBot::prediction() const {
 
 BotResult HollowBot::result() const {
   BotResult result = measure_.result(prediction(), connection_.traffic());
-  result.ending = ending();
+  if (ending()) result.ending = ending()->reason;
   if (!result.ending && closed()) result.ending = "lost the connection";
   if (result.joined) result.link = session_->linkStatistics();
   return result;

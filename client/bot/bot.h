@@ -6,10 +6,10 @@
 
 #include "client/bot/bot_report.h"
 #include "client/bot/button_presser.h"
+#include "client/bot/hollow_session.h"
 #include "client/desync/desync_report.h"
 #include "client/net/connection.h"
 #include "client/net/lossy_relay.h"
-#include "client/session/hollow_session.h"
 #include "client/session/network_client.h"
 #include "protocol/moment.h"
 
@@ -68,7 +68,7 @@ class HollowBot : public Bot {
   BotResult result() const override;
 
  private:
-  std::optional<std::string> ending() const { return session_ ? session_->ending() : std::nullopt; }
+  std::optional<SessionEnding> ending() const { return session_ ? session_->ending() : std::nullopt; }
   PredictionStatistics prediction() const;
 
   ServerRoute route_;

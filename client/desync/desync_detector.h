@@ -64,6 +64,9 @@ class DesyncDetector {
   /// Call when the hash of `game` differs from the server's. Ignored while a desync is pending.
   void hashDiffered(const Game& game, std::uint32_t serverHash);
 
+  /// Whether the last hash differed, and no state of the server has come since.
+  bool pending() const { return pending_.has_value(); }
+
   /// Call when the client's game has been replaced by the server's state, whose last tick had the inputs `held`.
   /// Returns the pending desync, if any, and starts over.
   std::optional<Desync> resynced(const Game& server, std::span<const Input> held);

@@ -80,6 +80,12 @@ DesyncReport reportOf(Desync desync) {
   return report;
 }
 
+void DesyncReports::add(std::optional<Desync> desync, Moment now) {
+  if (!desync || (reportedAt_ && now - *reportedAt_ < kInterval)) return;
+  reportedAt_ = now;
+  last_ = reportOf(std::move(*desync));
+}
+
 namespace {
 
 // Creates a file with its whole content or not at all; never overwrites one. Returns 0 or the error number.

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "client/desync/desync_detector.h"
+#include "protocol/moment.h"
 
 namespace platon {
 
@@ -18,6 +20,21 @@ struct DesyncReport {
 };
 
 DesyncReport reportOf(Desync desync);
+
+/// The desync reports of a session, at most one in kInterval.
+class DesyncReports {
+ public:
+  static constexpr Moment kInterval = std::chrono::minutes(1);
+
+  /// Reports a desync, if there is one. `now` never decreases.
+  void add(std::optional<Desync> desync, Moment now);
+  /// The last report; each is returned once.
+  std::optional<DesyncReport> take() { return std::exchange(last_, std::nullopt); }
+
+ private:
+  std::optional<DesyncReport> last_;
+  std::optional<Moment> reportedAt_;
+};
 
 /// The folder to which desync reports are written. Holds at most kMaxReports reports of a few MiB each, because a
 /// malicious server can cause any number of desyncs.

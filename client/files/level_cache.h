@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "client/session/level_store.h"
+#include "client/session/known_levels.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {

@@ -100,12 +100,12 @@ void NetworkClient::checkSession(Moment now) {
 }
 
 // If the first attempt is not answered, there is no server. A server that answers may lose some messages.
-bool NetworkClient::mayRetry(const Session::Ending& failure) const {
+bool NetworkClient::mayRetry(const SessionEnding& failure) const {
   if (failure.permanent) return false;
   return welcomed_ || (is<InSession>() && !session_->ending() && recovery_.failed + 1 < kMaxFirstAttempts);
 }
 
-void NetworkClient::fail(const Session::Ending& failure, Moment now) {
+void NetworkClient::fail(const SessionEnding& failure, Moment now) {
   const bool retries = mayRetry(failure);
   if (is<InSession>()) {
     session_->connectionLost(failure.reason);

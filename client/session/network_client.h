@@ -118,9 +118,9 @@ class NetworkClient {
   void startSession(Moment now);
   void checkConnecting(Moment now);
   void checkSession(Moment now);
-  bool mayRetry(const Session::Ending& failure) const;
+  bool mayRetry(const SessionEnding& failure) const;
   bool isRefused() const;
-  void fail(const Session::Ending& failure, Moment now);
+  void fail(const SessionEnding& failure, Moment now);
   Moment pauseAfterFailure();
   void dropConnection();
   void sendOutgoing();

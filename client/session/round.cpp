@@ -4,12 +4,32 @@
 
 namespace platon {
 
+bool RoundExchange::receive(const ConfirmedTicks& message, std::uint32_t confirmed, Moment now) {
+  if (message.round != id_) return false;
+  clock_.receive(message, now);
+  return confirmed >= message.from && confirmed < message.from + message.count;
+}
+
+std::optional<std::vector<std::uint8_t>> RoundExchange::receive(const StateChunk& chunk) {
+  if (chunk.round != id_ || !state_.add(chunk.total, chunk.offset, chunk.bytes)) return std::nullopt;
+  std::vector<std::uint8_t> bytes = state_.bytes();
+  state_.clear();
+  return bytes;
+}
+
+std::optional<Input> RoundExchange::choose(std::uint32_t tick, const std::function<Input()>& buttons) {
+  if (tick < clock_.firstInput()) return std::nullopt;
+  Input input = buttons();
+  input.buttons |= Input::kPresent;
+  clock_.inputChosen(tick);
+  inputSender_.add(tick, input);
+  return input;
+}
+
 Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead,
              ConfirmedObserver* observer)
-    : id_(id),
+    : exchange_(id, lead),
       prediction_(Game(level), slot),
-      clock_(lead),
-      inputSender_(id),
       hash_(shortHash(prediction_.confirmed().hash())),
       desyncDetector_(id, prediction_.confirmed()),
       observer_(observer) {
@@ -17,9 +37,7 @@ Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::u
 }
 
 void Round::receive(const ConfirmedTicks& message, Moment now) {
-  clock_.receive(message, now);
-  const std::uint32_t confirmed = prediction_.confirmedTicks();
-  if (confirmed < message.from || confirmed >= message.from + message.count) return;
+  if (!exchange_.receive(message, prediction_.confirmedTicks(), now)) return;
   const bool complete = applyTicks(message);
   interpolationBuffer_.arrived(now);
   if (complete) return checkHash(message.hash);
@@ -57,18 +75,23 @@ void Round::checkHash(std::uint32_t serverHash) {
   const Game& game = prediction_.confirmed();
   hash_ = shortHash(game.hash());
   const bool differs = hash_ != serverHash;
-  if (differs && !hashDiffered_) {
+  if (differs && !desyncDetector_.pending()) {
     ++statistics_.desyncs;
-    inputSender_.sendSoon();  // the server sees the hash in the message and sends its full state
+    exchange_.sendSoon();  // the server sees the hash in the message and sends its full state
   }
   if (differs)
     desyncDetector_.hashDiffered(game, serverHash);
   else
     desyncDetector_.hashMatched(game);
-  hashDiffered_ = differs;
 }
 
-void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes) {
+bool Round::receive(const StateChunk& chunk) {
+  const std::optional<std::vector<std::uint8_t>> bytes = exchange_.receive(chunk);
+  if (bytes) restore(chunk, *bytes);
+  return bytes.has_value();
+}
+
+void Round::restore(const StateChunk& last, std::span<const std::uint8_t> bytes) {
   const std::optional<FullState> state = decodeFullState(bytes);
   const bool hadTicks = prediction_.confirmedTicks() > 0;
   if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
@@ -77,25 +100,22 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes)
   desync_ = desyncDetector_.resynced(prediction_.confirmed(), prediction_.held());
   sync_ = last.sync;
   hash_ = shortHash(prediction_.confirmed().hash());
-  hashDiffered_ = false;
   if (hadTicks) ++statistics_.resyncs;
 }
 
 void Round::advance(Moment now, const Controls& controls) {
   interpolationBuffer_.update(now);
   prediction_.reconcile(now);
-  clock_.update(now, prediction_.predictedTicks());
-  while (prediction_.mayPredict() && clock_.reaches(prediction_.predictedTicks())) {
-    const std::uint32_t tick = prediction_.predictedTicks();
+  exchange_.update(now, prediction_.predictedTicks());
+  const std::function<Input()> buttons = [&] {
+    Input input = controls(prediction_.predicted(), prediction_.slot());
+    if (endlessFall_.needsRestart()) input.buttons |= Input::kRestart;
+    return input;
+  };
+  while (prediction_.mayPredict() && exchange_.isDue(prediction_.predictedTicks())) {
     // Before the first local input the server keeps applying the held one: a resumed player is present already.
-    Input local = prediction_.held()[prediction_.slot()];
-    if (tick >= clock_.firstInput()) {
-      local.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
-      if (endlessFall_.needsRestart()) local.buttons |= Input::kRestart;
-      clock_.inputChosen(tick);
-      inputSender_.add(tick, local);
-    }
-    prediction_.predict(local);
+    const Input held = prediction_.held()[prediction_.slot()];
+    prediction_.predict(exchange_.choose(prediction_.predictedTicks(), buttons).value_or(held));
     observeLocal();
   }
   workLimit_ = prediction_.work() + kMaxWorkConfirmed;
@@ -112,11 +132,12 @@ void Round::observeLocal() {
 }
 
 std::optional<PlayerInputs> Round::takeMessage(Moment now) {
-  return inputSender_.takeMessage(now, {prediction_.confirmedTicks(), hash_, sync_});
+  return exchange_.takeMessage(now, {prediction_.confirmedTicks(), hash_, sync_});
 }
 
 double Round::predictedFraction() const {
-  return clock_.running() ? std::clamp(clock_.tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
+  const PredictionClock& clock = exchange_.clock();
+  return clock.running() ? std::clamp(clock.tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
 }
 
 }  // namespace platon

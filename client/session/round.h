@@ -15,6 +15,7 @@
 #include "client/netcode/prediction.h"
 #include "client/netcode/prediction_clock.h"
 #include "platon/game/game.h"
+#include "protocol/assembly.h"
 #include "protocol/full_state.h"
 #include "protocol/moment.h"
 #include "protocol/to_client.h"
@@ -32,8 +33,46 @@ struct RoundStatistics {
   std::uint32_t resyncs = 0;  ///< full states taken after the first confirmed ticks of a round
 };
 
+/// What a client exchanges with the server in one round, whether it has the game or not: it takes the messages of the
+/// round, chooses each local input when its tick is due, and creates the messages with them.
+class RoundExchange {
+ public:
+  /// `lead`: initial number of ticks ahead of the newest tick received.
+  RoundExchange(std::uint32_t id, double lead) : id_(id), clock_(lead), inputSender_(id) {}
+
+  std::uint32_t id() const { return id_; }
+  const PredictionClock& clock() const { return clock_; }
+
+  /// Handles ConfirmedTicks. Returns whether its ticks are to be confirmed after the first `confirmed` ones: not those
+  /// of another round, those that are confirmed already, and those that leave a gap.
+  bool receive(const ConfirmedTicks& message, std::uint32_t confirmed, Moment now);
+  /// Handles a chunk of a full state. Returns the state if the chunk completes it.
+  std::optional<std::vector<std::uint8_t>> receive(const StateChunk& chunk);
+
+  /// Advances the clock to `now`. `next`: the first tick without a local input.
+  void update(Moment now, std::uint32_t next) { clock_.update(now, next); }
+  /// Whether the input for `tick` must have been chosen by now.
+  bool isDue(std::uint32_t tick) const { return clock_.reaches(tick); }
+  /// The local input for `tick`, which is due and is sent with the next messages: what `buttons` returns. Nothing for
+  /// ticks before the first with a local input.
+  std::optional<Input> choose(std::uint32_t tick, const std::function<Input()>& buttons);
+
+  /// Makes the next message due at once.
+  void sendSoon() { inputSender_.sendSoon(); }
+  /// The message to send at `now`, without its sequence number; nothing if none is due.
+  std::optional<PlayerInputs> takeMessage(Moment now, const ConfirmedState& confirmed) {
+    return inputSender_.takeMessage(now, confirmed);
+  }
+
+ private:
+  std::uint32_t id_;
+  PredictionClock clock_;
+  InputSender inputSender_;
+  Assembly state_;
+};
+
 /// The client's side of one round, from the moment it has the level: keeps the confirmed game in lockstep with the
-/// server, predicts ahead, and creates the messages with the local inputs.
+/// server, predicts ahead with the inputs of its RoundExchange, and notes what is drawn of the players.
 class Round {
  public:
   /// `lead`: initial number of ticks that the prediction is ahead of the newest tick received.
@@ -41,10 +80,10 @@ class Round {
   Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead,
         ConfirmedObserver* observer = nullptr);
 
-  std::uint32_t id() const { return id_; }
+  std::uint32_t id() const { return exchange_.id(); }
   const Prediction& prediction() const { return prediction_; }
   const RoundStatistics& statistics() const { return statistics_; }
-  const PredictionClock& clock() const { return clock_; }
+  const PredictionClock& clock() const { return exchange_.clock(); }
   /// Players of the confirmed game for drawing the others.
   const InterpolationBuffer& interpolationBuffer() const { return interpolationBuffer_; }
   /// Flashes by tick: of the confirmed game for the others, of the predicted game for the local player.
@@ -65,10 +104,10 @@ class Round {
   /// and the server sends them again. The last tick may exceed it.
   static constexpr std::uint64_t kMaxWorkConfirmed = 4096;
 
-  /// Handles a message of this round. Ticks that are confirmed already, or that leave a gap, are ignored.
+  /// Ticks of another round, that are confirmed already, or that leave a gap, are ignored.
   void receive(const ConfirmedTicks& message, Moment now);
-  /// Handles a full state. `last`: the chunk that completes the state `bytes`. An invalid state is ignored.
-  void receive(const StateChunk& last, std::span<const std::uint8_t> bytes);
+  /// Takes a chunk of a full state of this round. Returns whether it completes the state. An invalid one is ignored.
+  bool receive(const StateChunk& chunk);
 
   /// Replays the prediction if it was wrong, and predicts up to `now`.
   void advance(Moment now, const Controls& controls);
@@ -77,22 +116,20 @@ class Round {
   std::optional<PlayerInputs> takeMessage(Moment now);
 
  private:
+  void restore(const StateChunk& last, std::span<const std::uint8_t> bytes);
   bool applyTicks(const ConfirmedTicks& message);
   void observeOthers();
   void observeLocal();
   void checkHash(std::uint32_t serverHash);
 
-  std::uint32_t id_;
+  RoundExchange exchange_;
   Prediction prediction_;
-  PredictionClock clock_;
-  InputSender inputSender_;
   InterpolationBuffer interpolationBuffer_;
   PlayerFlashes flashes_;
   EndlessFall endlessFall_;
   AttemptTime attemptTime_;
-  std::uint8_t sync_ = 0;      // of the last full state taken
-  std::uint32_t hash_ = 0;     // short hash of the confirmed game
-  bool hashDiffered_ = false;  // the last hash differed from the server's
+  std::uint8_t sync_ = 0;   // of the last full state taken
+  std::uint32_t hash_ = 0;  // short hash of the confirmed game
   DesyncDetector desyncDetector_;
   std::optional<Desync> desync_;
   RoundStatistics statistics_;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "client/session/outgoing_message.h"
+#include "client/session/dialogue.h"
 #include "protocol/moment.h"
 
 namespace platon {

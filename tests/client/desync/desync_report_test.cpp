@@ -74,6 +74,21 @@ TEST(DesyncReport, SaysThatTheDifferenceIsGone) {
   EXPECT_TRUE(report.summary.ends_with("; no difference at tick 110")) << report.summary;
 }
 
+// A server can cause a desync with every message.
+TEST(DesyncReports, AtMostOneIsMadeInAMinuteAndEachIsTakenOnce) {
+  DesyncReports reports;
+  const auto add = [&reports](Moment now) {
+    reports.add(desyncOf(gameAfter(1), std::nullopt), now);
+    return reports.take().has_value();
+  };
+  reports.add(std::nullopt, Moment(0));
+  EXPECT_FALSE(reports.take());
+  EXPECT_TRUE(add(std::chrono::seconds(1)));
+  EXPECT_FALSE(reports.take());
+  EXPECT_FALSE(add(std::chrono::seconds(61) - std::chrono::microseconds(1)));
+  EXPECT_TRUE(add(std::chrono::seconds(61)));
+}
+
 namespace fs = std::filesystem;
 
 const DesyncReport kReport{"a desync", "details\n", {1, 2, 3}};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "tests/support/test_level.h"
@@ -12,6 +13,12 @@ namespace {
 
 constexpr std::uint32_t kId = 7;
 constexpr std::uint32_t kSlot = 0;
+
+// The whole state is in one chunk.
+void fill(StateChunk& chunk, std::vector<std::uint8_t> bytes) {
+  chunk.total = static_cast<std::uint32_t>(bytes.size());
+  chunk.bytes = std::move(bytes);
+}
 
 // A server's game in which one other player runs right from the start.
 class Server {
@@ -40,10 +47,10 @@ class Server {
     chunk.round = kId;
     chunk.tick = ticks_;
     chunk.sync = sync;
+    fill(chunk, encode(FullState{running_, game_.save()}));
     return chunk;
   }
 
-  std::vector<std::uint8_t> stateBytes() const { return encode(FullState{running_, game_.save()}); }
   std::uint64_t hash() const { return game_.hash(); }
 
  private:
@@ -201,7 +208,7 @@ TEST_F(RoundTest, ResyncsAfterADesync) {
   round_.receive(server_.decide(12), now_);
   EXPECT_EQ(round_.statistics().desyncs, 1u);  // the same desync
 
-  round_.receive(server_.state(3), server_.stateBytes());
+  round_.receive(server_.state(3));
   EXPECT_EQ(round_.statistics().resyncs, 1u);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
   EXPECT_EQ(round_.prediction().confirmedTicks(), 12u);
@@ -224,7 +231,7 @@ TEST_F(RoundTest, ADesyncRightAfterAResyncCountsAgainAndIsToldAtOnce) {
     round_.receive(wrong, now_);
     EXPECT_EQ(round_.statistics().desyncs, times);
     EXPECT_TRUE(update(ms + 1).has_value()) << "the server learns of it";
-    round_.receive(server_.state(static_cast<std::uint8_t>(times)), server_.stateBytes());
+    round_.receive(server_.state(static_cast<std::uint8_t>(times)));
     EXPECT_EQ(round_.statistics().resyncs, times);
     EXPECT_TRUE(round_.takeDesync().has_value());
     EXPECT_FALSE(round_.takeDesync().has_value());
@@ -233,15 +240,39 @@ TEST_F(RoundTest, ADesyncRightAfterAResyncCountsAgainAndIsToldAtOnce) {
 
 TEST_F(RoundTest, TheFirstStateIsNoResync) {
   server_.decide(1000);
-  round_.receive(server_.state(1), server_.stateBytes());
+  round_.receive(server_.state(1));
   EXPECT_EQ(round_.prediction().confirmedTicks(), 1000u);
   EXPECT_EQ(round_.statistics().resyncs, 0u);
 }
 
+TEST_F(RoundTest, OnlyTheLastChunkCompletesAState) {
+  server_.decide(10);
+  const StateChunk whole = server_.state(1);
+  StateChunk part = whole;
+  part.bytes.resize(9);
+  EXPECT_FALSE(round_.receive(part));
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 0u);
+  part.offset = 9;
+  part.bytes.assign(whole.bytes.begin() + 9, whole.bytes.end());
+  EXPECT_TRUE(round_.receive(part));
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 10u);
+}
+
+TEST_F(RoundTest, MessagesOfAnotherRoundAreIgnored) {
+  ConfirmedTicks ticks = server_.decide(10);
+  StateChunk state = server_.state(1);
+  ticks.round = state.round = kId + 1;
+  round_.receive(ticks, now_);
+  EXPECT_FALSE(round_.receive(state));
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 0u);
+  EXPECT_FALSE(round_.clock().running());
+}
+
 TEST_F(RoundTest, IgnoresAnInvalidState) {
   round_.receive(server_.decide(10), now_);
-  const std::vector<std::uint8_t> invalid = {2, 128, 128, 9, 9, 9};
-  round_.receive(server_.state(1), invalid);
+  StateChunk invalid = server_.state(1);
+  fill(invalid, {2, 128, 128, 9, 9, 9});
+  EXPECT_TRUE(round_.receive(invalid)) << "it is complete";
   EXPECT_EQ(round_.prediction().confirmedTicks(), 10u);
   EXPECT_EQ(update(60)->sync, 0);
 }
@@ -270,7 +301,7 @@ TEST_F(RoundTest, TheInterpolationBufferFollowsTheConfirmedGame) {
 TEST_F(RoundTest, AFullStateRestartsTheInterpolationBuffer) {
   round_.receive(server_.decide(10), now_);
   server_.decide(30);
-  round_.receive(server_.state(1), server_.stateBytes());
+  round_.receive(server_.state(1));
   EXPECT_EQ(round_.interpolationBuffer().newest(), 30u);
   EXPECT_EQ(round_.interpolationBuffer().tick(), 30);
   EXPECT_EQ(round_.interpolationBuffer().jumps(), 1u);
@@ -280,7 +311,7 @@ TEST_F(RoundTest, AFullStateRestartsTheInterpolationBuffer) {
 TEST_F(RoundTest, AcceptsAStateOfTheLargestTick) {
   StateChunk chunk = server_.state(1);
   chunk.tick = UINT32_MAX - 2;
-  round_.receive(chunk, server_.stateBytes());
+  round_.receive(chunk);
   ConfirmedTicks last;
   last.round = kId;
   last.from = UINT32_MAX - 2;

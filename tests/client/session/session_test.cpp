@@ -1,5 +1,4 @@
 #include "client/session/session.h"
-#include "client/netcode/player_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/netcode/player_watch.h"
 #include "client/netcode/prediction.h"
 #include "tests/support/pressing.h"
 #include "tests/support/session_network.h"
@@ -106,15 +106,6 @@ TEST(Session, HandsOnTheNewestNotice) {
   EXPECT_EQ(network.session(0).takeNotice(), std::nullopt);
 }
 
-TEST(Session, ShowsOnlyWhatCanBeSeenOfANotice) {
-  Session session("Ann", Moment());
-  session.receive(encode(Notice{"a\xe2\x80\x8b  b"}), Moment());
-  EXPECT_EQ(session.takeNotice(), "a b");
-  session.receive(encode(Notice{"\xe2\x80\x8b"}), Moment());
-  EXPECT_EQ(session.takeNotice(), std::nullopt);
-  EXPECT_FALSE(session.ending());
-}
-
 TEST(Session, PlaysTheNextRound) {
   SessionNetwork match({flatLevel(), cornerLevel()}, kSeed);
   const Controls right = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
@@ -193,44 +184,6 @@ TEST(Session, ARoundIsOverWhenTheServerEndsIt) {
   EXPECT_FALSE(session.roundEnd());
 }
 
-TEST(Session, ReportsTheReasonOfARefusal) {
-  Session session("x", Moment(0));
-  session.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
-  ASSERT_TRUE(session.ending().has_value());
-  EXPECT_NE(session.ending()->reason.find("server is full"), std::string::npos) << session.ending()->reason;
-  EXPECT_FALSE(session.ending()->permanent);
-}
-
-TEST(Session, ReconnectsToAServerThatStopsButNotToOneThatRemovesThePlayer) {
-  for (const ByeCode code : {ByeCode::kServerStops, ByeCode::kRemoved, ByeCode::kOther}) {
-    Session session("x", Moment(0));
-    session.receive(encode(Bye{code, "why"}), Moment(0));
-    ASSERT_TRUE(session.ending().has_value());
-    EXPECT_EQ(session.ending()->reason, "the server ended the game: why");
-    EXPECT_EQ(session.ending()->permanent, code != ByeCode::kServerStops);
-  }
-}
-
-// The player decides whether to go there.
-TEST(Session, AServerThatNamesAnotherOneIsNotAskedAgain) {
-  for (const ToClient& message : std::vector<ToClient>{Bye{ByeCode::kServerStops, "why", "example.org:7777"},
-                                                       Refused{RefusalCode::kFull, "why", "example.org:7777"}}) {
-    Session session("x", Moment(0));
-    session.receive(std::visit([](const auto& body) { return encode(body); }, message), Moment(0));
-    ASSERT_TRUE(session.ending().has_value());
-    EXPECT_TRUE(session.ending()->permanent);
-    EXPECT_EQ(session.ending()->next, "example.org:7777");
-  }
-}
-
-TEST(Session, IgnoresAnotherServerThatIsNoAddress) {
-  Session session("x", Moment(0));
-  session.receive(encode(Bye{ByeCode::kServerStops, "why", "no address"}), Moment(0));
-  ASSERT_TRUE(session.ending().has_value());
-  EXPECT_FALSE(session.ending()->permanent);
-  EXPECT_EQ(session.ending()->next, "");
-}
-
 TEST(Session, CountsTheDesyncsOfAllRounds) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};
@@ -258,7 +211,7 @@ void receiveLevel(Session& session, const Level& level) {
 // A level that comes makes good for its request, so no rotation is too long.
 TEST(Session, PlaysAnyNumberOfLevelsThatTheServerSends) {
   Session session("x", Moment(0));
-  constexpr std::uint32_t kLevels = 2 * Session::kMaxUnansweredRequests;
+  constexpr std::uint32_t kLevels = 2 * KnownLevels::kMaxUnansweredRequests;
   for (std::uint32_t number = 1; number <= kLevels; ++number) {
     const std::shared_ptr<const Level> level = levelOfNumber(number);
     if (number == 1)
@@ -272,29 +225,6 @@ TEST(Session, PlaysAnyNumberOfLevelsThatTheServerSends) {
   }
 }
 
-TEST(Session, OfManyLevelsTheOldestIsForgotten) {
-  Session::Memory memory;
-  for (std::size_t i = 0; i < kMaxLevelsKnown; ++i) memory.levels.push_back(levelOfNumber(i));
-  Session session("x", Moment(0), memory);
-  const std::shared_ptr<const Level> next = levelOfNumber(kMaxLevelsKnown);
-  session.receive(encode(Welcome{0, 1, next->hash, 4, kTicksPerSecond, ""}), Moment(0));
-  receiveLevel(session, *next);
-  ASSERT_FALSE(session.ending().has_value()) << session.ending()->reason;
-  const std::vector<std::shared_ptr<const Level>> known = session.memory().levels;
-  ASSERT_EQ(known.size(), kMaxLevelsKnown);
-  EXPECT_EQ(known.front()->hash, memory.levels[1]->hash);
-  EXPECT_EQ(known.back()->hash, next->hash);
-}
-
-TEST(Session, EndsOnAMalformedMessage) {
-  Session session("x", Moment(0));
-  const std::vector<std::uint8_t> malformed = {1, 2, 3, 4};
-  session.receive(malformed, Moment(0));
-  ASSERT_TRUE(session.ending().has_value());
-  EXPECT_EQ(session.ending()->reason, "protocol error: malformed message from the server");
-  EXPECT_TRUE(session.ending()->permanent);
-}
-
 TEST(Session, EndsOnRoundStartBeforeWelcome) {
   Session session("x", Moment(0));
   session.receive(encode(RoundStart{1, 2}), Moment(0));
@@ -304,7 +234,7 @@ TEST(Session, EndsOnRoundStartBeforeWelcome) {
 TEST(Session, EndsIfTheServerNamesLevelsWithoutSendingThem) {
   Session session("x", Moment(0));
   session.receive(encode(Welcome{0, 1, 1, 4, kTicksPerSecond, ""}), Moment(0));
-  for (std::uint32_t i = 1; i <= Session::kMaxUnansweredRequests; ++i) {
+  for (std::uint32_t i = 1; i <= KnownLevels::kMaxUnansweredRequests; ++i) {
     session.receive(encode(RoundStart{1 + i, 1 + i}), Moment(0));
     ASSERT_FALSE(session.ending().has_value());
   }
@@ -327,7 +257,7 @@ TEST(Session, TimesOutWhenTheServerIsSilent) {
 // A game is computed again at every start of a round.
 TEST(Session, EndsIfTheServerDemandsTooMuchComputation) {
   constexpr std::uint32_t kRoundWork = 64;
-  constexpr auto kBudget = static_cast<std::uint32_t>(Session::kMaxWorkPerSecond * toSeconds(Session::kWorkTime));
+  constexpr auto kBudget = static_cast<std::uint32_t>(WorkLimit::kMaxPerSecond * toSeconds(WorkLimit::kTime));
   constexpr std::uint32_t kRounds = kBudget / kRoundWork;
   const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
   Session::Memory memory;

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "client/bot/button_presser.h"
+#include "client/bot/hollow_session.h"
 #include "client/net/connection.h"
-#include "client/session/hollow_session.h"
 #include "protocol/to_server.h"
 #include "tests/net/attacks/flood.h"
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "client/bot/button_presser.h"
-#include "client/session/hollow_session.h"
+#include "client/bot/hollow_session.h"
 #include "tests/support/pressing.h"
 
 namespace platon {
@@ -17,6 +17,10 @@ HollowSession::Buttons buttonsOf(std::uint64_t seed, bool isRestless) {
   };
 }
 
+std::optional<std::string> reasonOf(const std::optional<SessionEnding>& ending) {
+  return ending ? std::optional(ending->reason) : std::nullopt;
+}
+
 class HollowClient : public SoakClient {
  public:
   HollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, bool isRestless, Moment now)
@@ -26,7 +30,7 @@ class HollowClient : public SoakClient {
   void update(Moment now) override { session_.update(now, buttons_); }
   void leave() override { session_.leave(); }
   std::vector<OutgoingMessage> takeOutgoing() override { return session_.takeOutgoing(); }
-  std::optional<std::string> ending() const override { return session_.ending(); }
+  std::optional<std::string> ending() const override { return reasonOf(session_.ending()); }
   const std::optional<Welcome>& welcome() const override { return session_.welcome(); }
   std::uint64_t confirmedTicks() const override { return session_.confirmedTicks(); }
   void remember(SoakMemory&) const override {}
@@ -47,9 +51,7 @@ class PlayingClient : public SoakClient {
   void update(Moment now) override { session_.update(now, controls_); }
   void leave() override { session_.leave(); }
   std::vector<OutgoingMessage> takeOutgoing() override { return session_.takeOutgoing(); }
-  std::optional<std::string> ending() const override {
-    return session_.ending() ? std::optional(session_.ending()->reason) : std::nullopt;
-  }
+  std::optional<std::string> ending() const override { return reasonOf(session_.ending()); }
   const std::optional<Welcome>& welcome() const override { return session_.welcome(); }
   std::uint64_t confirmedTicks() const override { return session_.predictionStatistics().confirmedTicks - before_; }
   void remember(SoakMemory& memory) const override { memory.game = session_.memory(); }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "client/session/outgoing_message.h"
+#include "client/session/dialogue.h"
 #include "client/session/session.h"
 
 namespace platon {

@@ -1,4 +1,4 @@
-#include "client/session/hollow_session.h"
+#include "client/bot/hollow_session.h"
 
 #include <gtest/gtest.h>
 
@@ -149,10 +149,12 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
 TEST_F(HollowSessionTest, ReportsWhyItEnded) {
   HollowSession refused("x", Moment(0));
   refused.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
-  EXPECT_EQ(refused.ending(), "the server refused this client: server is full");
+  ASSERT_TRUE(refused.ending());
+  EXPECT_EQ(refused.ending()->reason, "the server refused this client: server is full");
   HollowSession malformed("x", Moment(0));
   malformed.receive(std::vector<std::uint8_t>{1, 2, 3, 4}, Moment(0));
-  EXPECT_EQ(malformed.ending(), "protocol error: malformed message from the server");
+  ASSERT_TRUE(malformed.ending());
+  EXPECT_EQ(malformed.ending()->reason, "protocol error: malformed message from the server");
 }
 
 TEST_F(HollowSessionTest, PlaysOnAfterANotice) {
@@ -160,7 +162,7 @@ TEST_F(HollowSessionTest, PlaysOnAfterANotice) {
   run(std::chrono::seconds(1));
   match_.say("restart at noon");
   run(std::chrono::seconds(1));
-  EXPECT_EQ(session_->ending(), std::nullopt);
+  EXPECT_FALSE(session_->ending());
   EXPECT_GT(session_->confirmedTicks(), 100u);
 }
 
