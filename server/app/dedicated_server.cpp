@@ -116,18 +116,23 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
       host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow())),
       bestTimeFile_(settings.bestTimes),
       bestTimes_(bestTimesOf(settings.bestTimes)),
-      match_(LevelRotation(std::move(levels), settings.start), matchSettings(settings)),
+      match_(LevelRotation(std::move(levels), settings.start), matchSettings(settings), matchProgram()),
       clock_(steadyNow()),
       nextLogAt_(steadyNow() + kRejectedLogInterval) {
-  match_.setRoom([this](ClientId client) {
-    const std::size_t room = host_.room(client);
-    return room - std::min(room, kReservedRoom);
-  });
   host_.setMoveCheck([this](ClientId client, const IpAddress& to) { return match_.move(client, to); });
-  match_.setRoundTrip([this](ClientId client) { return host_.roundTripMs(client); });
-  match_.keepBestTimes(bestTimes_);
   if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
   updateInfo();
+}
+
+MatchProgram DedicatedServer::matchProgram() {
+  MatchProgram program;
+  program.room = [this](ClientId client) {
+    const std::size_t room = host_.room(client);
+    return room - std::min(room, kReservedRoom);
+  };
+  program.roundTrip = [this](ClientId client) { return host_.roundTripMs(client); };
+  program.bestTimes = &bestTimes_;
+  return program;
 }
 
 void DedicatedServer::setName(std::string_view name) {

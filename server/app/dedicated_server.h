@@ -103,6 +103,7 @@ class DedicatedServer {
   static constexpr std::chrono::milliseconds kIdleWait{250};
 
  private:
+  MatchProgram matchProgram();
   // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or idleWait_ has
   // passed. In a flood it sleeps only shortly.
   void wait();

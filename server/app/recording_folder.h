@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "server/app/recording_event.h"
-#include "server/match/match_recorder.h"
+#include "server/match/played_round.h"
 
 namespace platon {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "server/app/recording_folder.h"
-#include "server/match/match_recorder.h"
+#include "server/match/played_round.h"
 
 namespace platon {
 

@@ -5,53 +5,62 @@
 
 namespace platon {
 
-void MatchPlayer::startRound() {
-  inputs_ = InputBuffer();
-  wish_.clear();
-  std::erase_if(transfers_, [](const Transfer& transfer) { return transfer.isState(); });
-  resetProgress();
-  started_ = false;
+bool InputBuffer::add(std::uint32_t tick, Input input) {
+  if (tick < next_ || tick - next_ >= kWindow || at(tick)) return false;
+  at(tick) = input;
+  return true;
 }
 
-void MatchPlayer::resume(std::string name) {
-  name_ = std::move(name);
-  inputs_.clear();
-  wish_.clear();
-  transfers_.clear();
-  loss_ = LossMeter();
-  resetProgress();
-  started_ = true;
-}
-
-void MatchPlayer::resetProgress() {
-  linkReport_.reset();
-  inputsEnd_ = 0;
-  newestInput_ = Input();
-  acknowledged_ = continueAt_ = 0;
-  messagesSinceFull_ = kFullRepeatInterval;
-  levelRequests_ = 0;
-  sync_ = 0;
-}
-
-void MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now) {
-  started_ = true;
-  for (std::size_t i = 0; i < message.inputs.size(); ++i) {
-    inputs_.add(message.first + static_cast<std::uint32_t>(i), message.inputs[i]);
+Input InputBuffer::decide() {
+  std::optional<Input>& input = at(next_);
+  ++next_;
+  if (input) {
+    last_ = *input;
+    ticksWithoutInput_ = 0;
+    input.reset();
+  } else if (last_.has(Input::kPresent)) {
+    ++missed_;
+    if (++ticksWithoutInput_ > kHoldTicks) last_ = Input{Input::kPresent};
   }
-  const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
-  if (message.inputs.empty() || end <= inputsEnd_) return;
-  measureSlack(message, decided);
-  noteButtons(message, now);
-  inputsEnd_ = end;
-  newestInput_ = message.inputs.back();
+  return last_;
 }
 
-void MatchPlayer::countMessage(std::uint8_t sequence) {
+void ClientInputs::startRound(std::uint32_t tick) {
+  buffer_ = InputBuffer(tick);
+  forgetNewest();
+}
+
+void ClientInputs::resume() {
+  buffer_.clear();
+  loss_ = LossMeter();
+  forgetNewest();
+}
+
+void ClientInputs::forgetNewest() {
+  linkReport_.reset();
+  end_ = 0;
+  newest_ = Input();
+}
+
+void ClientInputs::countMessage(std::uint8_t sequence) {
   loss_.received(sequence);
   if (!linkReport_) linkReport_.emplace();
 }
 
-void MatchPlayer::measureSlack(const PlayerInputs& message, std::uint32_t decided) {
+bool ClientInputs::add(const PlayerInputs& message, std::uint32_t decided) {
+  for (std::size_t i = 0; i < message.inputs.size(); ++i) {
+    buffer_.add(message.first + static_cast<std::uint32_t>(i), message.inputs[i]);
+  }
+  const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
+  if (message.inputs.empty() || end <= end_) return false;
+  measureSlack(message, decided);
+  const bool changed = changesButtons(message);
+  end_ = end;
+  newest_ = message.inputs.back();
+  return changed;
+}
+
+void ClientInputs::measureSlack(const PlayerInputs& message, std::uint32_t decided) {
   const std::uint32_t tick = measuredTick(message);
   const std::int64_t slack = std::clamp<std::int64_t>(std::int64_t{tick} - decided, -kMaxSlack, kMaxSlack);
   if (!linkReport_) linkReport_.emplace();
@@ -59,18 +68,20 @@ void MatchPlayer::measureSlack(const PlayerInputs& message, std::uint32_t decide
   linkReport_->slack = SlackReport{tick, static_cast<std::int32_t>(slack)};
 }
 
-void MatchPlayer::noteButtons(const PlayerInputs& message, std::uint64_t now) {
-  for (std::size_t i = inputsEnd_ - std::min(inputsEnd_, message.first); i < message.inputs.size(); ++i) {
+bool ClientInputs::changesButtons(const PlayerInputs& message) {
+  bool changed = false;
+  for (std::size_t i = end_ - std::min(end_, message.first); i < message.inputs.size(); ++i) {
     const auto buttons = static_cast<std::uint8_t>(message.inputs[i].buttons & ~Input::kPresent);
-    if (buttons != std::exchange(buttons_, buttons)) activeAt_ = now;
+    if (buttons != std::exchange(buttons_, buttons)) changed = true;
   }
+  return changed;
 }
 
 // Inputs that change nothing are skipped: when late they are harmless, since the server keeps applying the last one.
-std::uint32_t MatchPlayer::measuredTick(const PlayerInputs& message) const {
+std::uint32_t ClientInputs::measuredTick(const PlayerInputs& message) const {
   const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
-  Input before = message.first <= inputsEnd_ ? newestInput_ : message.inputs.front();
-  for (std::uint32_t tick = std::max(message.first, inputsEnd_); tick < end; ++tick) {
+  Input before = message.first <= end_ ? newest_ : message.inputs.front();
+  for (std::uint32_t tick = std::max(message.first, end_); tick < end; ++tick) {
     const Input input = message.inputs[tick - message.first];
     if (input != before) return tick;
     before = input;
@@ -78,29 +89,7 @@ std::uint32_t MatchPlayer::measuredTick(const PlayerInputs& message) const {
   return end - 1;
 }
 
-void MatchPlayer::vote(bool next, std::uint64_t now) {
-  wish_.set(next);
-  activeAt_ = now;
-}
-
-bool MatchPlayer::isCurrent(const PlayerInputs& message) const {
-  return message.sync == sync_ && message.confirmed >= acknowledged_;
-}
-
-std::uint32_t MatchPlayer::nextTickToSend(std::uint32_t end, std::uint32_t interval) const {
-  const std::uint32_t from = std::max(continueAt_, acknowledged_);
-  const bool all = continueAt_ != 0 || messagesSinceFull_ + 1 >= kFullRepeatInterval;
-  const std::uint32_t recent = std::max(kRecentTicks, kRecentMessages * interval);
-  return all || end < recent ? from : std::max(from, end - recent);
-}
-
-void MatchPlayer::ticksSent(std::uint32_t from, std::uint32_t tick, std::uint32_t end) {
-  continueAt_ = tick < end ? tick : 0;
-  lastTicks_ = tick - from;
-  messagesSinceFull_ = from == acknowledged_ ? 0 : messagesSinceFull_ + 1;
-}
-
-std::optional<LinkReport> MatchPlayer::takeLinkReport() {
+std::optional<LinkReport> ClientInputs::takeLinkReport() {
   std::optional<LinkReport> report = std::exchange(linkReport_, std::nullopt);
   if (!report) return report;
   report->sequence = loss_.newest();
@@ -108,26 +97,33 @@ std::optional<LinkReport> MatchPlayer::takeLinkReport() {
   return report;
 }
 
-void MatchPlayer::sendLevel(Transfer level) {
-  const auto same = [&level](const Transfer& transfer) { return transfer.isSameLevel(level); };
-  if (levelRequests_ == kMaxLevelsPerRound || std::any_of(transfers_.begin(), transfers_.end(), same)) return;
-  ++levelRequests_;
-  transfers_.push_back(std::move(level));
+void MatchPlayer::startRound() {
+  inputs_.startRound(0);
+  ticks_.startRound(false);
+  transfers_.startRound();
+  wish_.clear();
 }
 
-void MatchPlayer::sendState(Transfer state, std::uint32_t tick, std::uint64_t now) {
-  sync_ = nextSync();
-  acknowledged_ = tick;
-  nextStateAt_ = now + kTicksBetweenStates;
-  std::erase_if(transfers_, [](const Transfer& transfer) { return transfer.isState(); });
-  transfers_.push_back(std::move(state));
+void MatchPlayer::resume(std::string name) {
+  name_ = std::move(name);
+  inputs_.resume();
+  ticks_.startRound(true);
+  transfers_.resume();
+  wish_.clear();
 }
 
-std::optional<SharedBytes> MatchPlayer::nextChunk() {
-  if (transfers_.empty()) return std::nullopt;
-  SharedBytes chunk = transfers_.front().nextChunk();
-  if (transfers_.front().done()) transfers_.pop_front();
-  return chunk;
+void MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now) {
+  ticks_.start();
+  if (inputs_.add(message, decided)) activeAt_ = now;
+}
+
+bool MatchPlayer::isCurrent(const PlayerInputs& message) const {
+  return message.sync == transfers_.sync() && message.confirmed >= ticks_.acknowledged();
+}
+
+void MatchPlayer::vote(bool next, std::uint64_t now) {
+  wish_.set(next);
+  activeAt_ = now;
 }
 
 }  // namespace platon

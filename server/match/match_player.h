@@ -1,40 +1,124 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "platon/game/game.h"
+#include "platon/game/input.h"
 #include "protocol/loss_meter.h"
 #include "protocol/session_token.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
-#include "server/match/chat_budget.h"
-#include "server/match/input_buffer.h"
-#include "server/match/transfer.h"
-#include "server/match/vote_wish.h"
+#include "server/match/talk.h"
+#include "server/match/transfers.h"
+#include "server/match/updates.h"
 
 namespace platon {
 
-/// A player of the match and what the server knows of its client: inputs, acknowledged ticks, transfers in progress.
+/// Inputs of one player in one round, from their arrival until the server decides their tick. Ticks are decided in
+/// order, one by one, whether or not their input has arrived.
+class InputBuffer {
+ public:
+  /// Ticks for which inputs are accepted, from the next one to decide: about 2 s.
+  static constexpr std::uint32_t kWindow = 128;
+  /// Ticks without an input after which buttons count as released: 1 s.
+  static constexpr std::uint32_t kHoldTicks = 60;
+
+  /// `next` is the first tick to decide. The player is absent until its first input.
+  explicit InputBuffer(std::uint32_t next = 0) : next_(next) {}
+
+  /// Stores the input of a tick. False if the tick is decided, beyond the window, or already has an input; nothing
+  /// changes then.
+  bool add(std::uint32_t tick, Input input);
+
+  /// Discards the inputs of undecided ticks. The last decided input stays in effect.
+  void clear() { waiting_.fill(std::nullopt); }
+
+  /// Decides tick `next()`: the input that arrived for it, otherwise the last decided one.
+  Input decide();
+
+  std::uint32_t next() const { return next_; }
+  /// Ticks decided without their input since the player appeared.
+  std::uint64_t missed() const { return missed_; }
+
+ private:
+  std::optional<Input>& at(std::uint32_t tick) { return waiting_[tick % kWindow]; }
+
+  std::array<std::optional<Input>, kWindow> waiting_{};  // ticks next_ … next_ + kWindow - 1
+  std::uint32_t next_;
+  Input last_;                           // decided last; absent until the first input
+  std::uint32_t ticksWithoutInput_ = 0;  // since the last input
+  std::uint64_t missed_ = 0;
+};
+
+/// The inputs that a client sends in a round, and how well they arrive: what is lost, and how early the rest comes.
+class ClientInputs {
+ public:
+  /// Starts a round, or one that is under way: ticks before `tick` are decided without the player.
+  void startRound(std::uint32_t tick);
+  /// Starts again for another client.
+  void resume();
+
+  /// Counts a message of inputs, of any round, for the link report.
+  void countMessage(std::uint8_t sequence);
+  /// Stores the inputs of a message of the current round, of which `decided` ticks are decided. Returns whether a
+  /// button has changed. A button that is held does not count.
+  bool add(const PlayerInputs& message, std::uint32_t decided);
+  /// Decides the input of the next tick.
+  Input decide() { return buffer_.decide(); }
+  /// Ticks of the round that were decided without their input.
+  std::uint64_t missed() const { return buffer_.missed(); }
+  /// Link report since the last call; nothing if no message of inputs has arrived.
+  std::optional<LinkReport> takeLinkReport();
+
+ private:
+  void forgetNewest();
+  void measureSlack(const PlayerInputs& message, std::uint32_t decided);
+  bool changesButtons(const PlayerInputs& message);
+  std::uint32_t measuredTick(const PlayerInputs& message) const;
+
+  InputBuffer buffer_;
+  LossMeter loss_;  // of the messages of inputs
+  std::optional<LinkReport> linkReport_;
+  std::uint32_t end_ = 0;     // one past the newest tick of the round for which an input has arrived
+  Input newest_;              // for tick end_ - 1
+  std::uint8_t buttons_ = 0;  // of the newest input of all rounds
+};
+
+/// Whether a player wishes the next level. The player may change its mind at any time. What counts follows its last
+/// wish, but changes at most once in kMinTicks, so that a flood of votes does not make the counts of others flicker.
+class VoteWish {
+ public:
+  static constexpr std::uint64_t kMinTicks = kTicksPerSecond;
+
+  void set(bool next) { last_ = next; }
+  /// No wish, from now on.
+  void clear() { last_ = counts_ = false; }
+  /// Whether the wish counts at tick `now` of the match, which never decreases.
+  bool counts(std::uint64_t now) {
+    if (last_ != counts_ && now >= changeableAt_) {
+      counts_ = last_;
+      changeableAt_ = now + kMinTicks;
+    }
+    return counts_;
+  }
+
+ private:
+  bool last_ = false;
+  bool counts_ = false;
+  std::uint64_t changeableAt_ = 0;
+};
+
+/// A player of the match and what the server knows of its client: who it is and where, its inputs, the ticks that it
+/// has, the transfers to it. A client may lose its connection; another one can resume the player then.
 class MatchPlayer {
  public:
-  /// Level texts that a client may request in one round.
-  static constexpr std::uint32_t kMaxLevelsPerRound = 8;
   /// Ticks without a changed button after which a player is inactive: 60 s.
   static constexpr std::uint64_t kActiveTicks = 60 * kTicksPerSecond;
-  /// Minimum number of ticks between two full states: a client in permanent desync gets one a second.
-  static constexpr std::uint64_t kTicksBetweenStates = 60;
-
-  /// A message that does not repeat all unacknowledged ticks has the last kRecentTicks, or more if they are sent so
-  /// rarely that a tick would otherwise be in fewer than kRecentMessages messages.
-  static constexpr std::uint32_t kRecentTicks = 8;
-  static constexpr std::uint32_t kRecentMessages = 4;
-  /// At least one message in this many begins with the first unacknowledged tick.
-  static constexpr std::uint32_t kFullRepeatInterval = 4;
 
   /// A player that joins at tick `now` of the match, counted over all rounds.
   MatchPlayer(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token, std::uint64_t now)
@@ -44,28 +128,25 @@ class MatchPlayer {
   const std::string& name() const { return name_; }
   /// Whether the player joined with this token.
   bool hasToken(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
+  /// Whether a client can resume the player, that is, whether it joined with a token.
+  bool canResume() const { return token_.has_value(); }
   /// Address that the client is at, or was at last.
   const IpAddress& address() const { return address_; }
   /// Household of this address.
-  std::uint64_t origin() const { return origin_; }
-  void setAddress(const IpAddress& address) {
-    address_ = address;
-    origin_ = address.household();
-  }
-  /// Whether a client can resume the player, that is, whether it joined with a token.
-  bool canResume() const { return token_.has_value(); }
+  std::uint64_t origin() const { return address_.household(); }
+  void setAddress(const IpAddress& address) { address_ = address; }
 
   /// Resumes the player for another client. That client has received nothing that was sent to the previous one.
   void resume(std::string name);
-
   /// Starts a new round. A transfer of a state of the old round is cancelled.
   void startRound();
 
-  /// Counts a message of inputs, of any round, for the link report.
-  void countMessage(std::uint8_t sequence);
   /// Stores the inputs of a message of the current round. `decided`: number of decided ticks of the round; `now`: tick
   /// of the match.
   void addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now);
+  /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
+  /// message is not older than another one received.
+  bool isCurrent(const PlayerInputs& message) const;
   /// Whether the client has changed a button, voted or joined in the last kActiveTicks. A button that is held for
   /// longer does not count, nor does the release of buttons for want of inputs.
   bool isActive(std::uint64_t now) const { return now - activeAt_ < kActiveTicks; }
@@ -75,78 +156,24 @@ class MatchPlayer {
   bool wishesNext(std::uint64_t now) { return wish_.counts(now); }
   /// Whether the player may say something more at tick `now` of the match; it counts then.
   bool mayChat(std::uint64_t now) { return chatBudget_.take(now); }
-  /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
-  /// message is not older than another one received.
-  bool isCurrent(const PlayerInputs& message) const;
-  void acknowledge(std::uint32_t confirmed) { acknowledged_ = confirmed; }
 
-  /// Whether ticks are sent to the client: in the round in which it joined, and in a later one once it has sent inputs.
-  bool started() const { return started_; }
-  /// Ticks of the round that the client has acknowledged.
-  std::uint32_t acknowledged() const { return acknowledged_; }
-  /// First tick of the next message of ticks, when `end` ticks are decided and a message is sent every `interval`
-  /// ticks. After a message that could not hold all ticks: the tick at which it stopped. Otherwise, if none of the last
-  /// kFullRepeatInterval - 1 messages has begun with it: the first unacknowledged tick. In the others: one of the last
-  /// ticks, since with a long round trip most earlier ticks are not lost, only not acknowledged yet.
-  std::uint32_t nextTickToSend(std::uint32_t end, std::uint32_t interval) const;
-  /// Whether the last message of ticks could not hold all, and held so few that a message every `interval` ticks would
-  /// hardly catch up.
-  bool fallsBehind(std::uint32_t interval) const { return continueAt_ != 0 && lastTicks_ < 2 * interval; }
-  /// Call when a message with the ticks from `from` to before `tick` was sent and `end` ticks were decided.
-  void ticksSent(std::uint32_t from, std::uint32_t tick, std::uint32_t end);
-  /// Link report since the last call; nothing if no message of inputs has arrived.
-  std::optional<LinkReport> takeLinkReport();
-  /// Sequence number of the next message of ticks.
-  std::uint8_t nextSequence() { return sequence_++; }
-
-  /// Decides the input of the player for the next tick.
-  Input decideInput() { return inputs_.decide(); }
-  std::uint64_t missedInputs() const { return inputs_.missed(); }
-  /// Lets the player join: ticks of the round before `tick` are decided without it.
-  void joinAt(std::uint32_t tick) { inputs_ = InputBuffer(tick); }
-
-  /// Starts this transfer of a level text, unless one is in progress or the client has requested too many.
-  void sendLevel(Transfer level);
-  /// Whether a full state may be sent at this tick of the match, counted over all rounds.
-  bool maySendState(std::uint64_t now) const { return now >= nextStateAt_; }
-  /// Number of the next full state in the round.
-  std::uint8_t nextSync() const { return sync_ == UINT8_MAX ? 1 : static_cast<std::uint8_t>(sync_ + 1); }
-  /// Starts this transfer of a full state after `tick` ticks of the round. Its number is nextSync().
-  void sendState(Transfer state, std::uint32_t tick, std::uint64_t now);
-  /// The next message of the transfers in progress; nothing if there are none.
-  std::optional<SharedBytes> nextChunk();
-  bool hasChunks() const { return !transfers_.empty(); }
+  ClientInputs& inputs() { return inputs_; }
+  const ClientInputs& inputs() const { return inputs_; }
+  TickDelivery& ticks() { return ticks_; }
+  const TickDelivery& ticks() const { return ticks_; }
+  ClientTransfers& transfers() { return transfers_; }
 
  private:
-  void resetProgress();
-  void measureSlack(const PlayerInputs& message, std::uint32_t decided);
-  void noteButtons(const PlayerInputs& message, std::uint64_t now);
-  std::uint32_t measuredTick(const PlayerInputs& message) const;
-
   std::uint32_t slot_;
   std::string name_;
   std::optional<SessionToken> token_;
   IpAddress address_;
-  std::uint64_t origin_ = 0;
-  std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, voted or joined
-  std::uint8_t buttons_ = 0;  // of the newest input of all rounds
+  std::uint64_t activeAt_;  // tick of the match in which the client last changed a button, voted or joined
   VoteWish wish_;
   ChatBudget chatBudget_ = ChatBudget::ofPlayers(1);
-  InputBuffer inputs_;
-  std::deque<Transfer> transfers_;
-  LossMeter loss_;  // of the messages of inputs
-  std::optional<LinkReport> linkReport_;
-  std::uint32_t inputsEnd_ = 0;  // one past the newest tick of the round for which an input has arrived
-  Input newestInput_;            // for tick inputsEnd_ - 1
-  std::uint8_t sequence_ = 0;
-  std::uint32_t acknowledged_ = 0;
-  std::uint32_t continueAt_ = 0;  // tick at which the last message of ticks stopped; 0: it held all
-  std::uint32_t lastTicks_ = 0;   // ticks in the last message of ticks
-  std::uint32_t messagesSinceFull_ = kFullRepeatInterval;  // since one that began with the first unacknowledged tick
-  std::uint32_t levelRequests_ = 0;
-  std::uint64_t nextStateAt_ = 0;
-  std::uint8_t sync_ = 0;  // number of the last state sent in this round
-  bool started_ = true;
+  ClientInputs inputs_;
+  TickDelivery ticks_;
+  ClientTransfers transfers_;
 };
 
 }  // namespace platon

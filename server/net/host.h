@@ -13,7 +13,7 @@
 #include "protocol/token_bucket.h"
 #include "protocol/transport/enet_calls.h"
 #include "protocol/transport/server_gate.h"
-#include "server/match/client_id.h"
+#include "server/base/client_id.h"
 
 namespace platon {
 

@@ -12,7 +12,7 @@
 
 #include "platon/game/diagnostics.h"
 #include "server/base/utc_time.h"
-#include "server/match/best_time_keeper.h"
+#include "server/match/round_times.h"
 
 namespace platon {
 

@@ -43,7 +43,7 @@ NAME_FAULTS = [
               "within(0x202a, 0x202e)", "within(0x202a, 0x202d)",
               "a name may contain the mark that reverses the text after it",
               "Label.RefusesControlCharactersLineBreaksAndDirectionMarks"),
-    at_length("name-of-any-capitals", MATCH + "player_names.cpp",
+    at_length("name-of-any-capitals", MATCH + "roster.cpp",
               "taken_.insert(lookAlikeKey(name)).second", "taken_.insert(name).second",
               "names that differ only in capitals are not told apart",
               "PlayerNamesTest.NamesThatLookAlikeGetANumber"),

@@ -18,8 +18,9 @@ SessionToken tokenOf(std::size_t client) {
 }  // namespace
 
 SessionNetwork::SessionNetwork(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed,
-                               std::uint32_t maxPlayers)
-    : VirtualNetwork(Match(LevelRotation(std::move(levels)), MatchSettings{maxPlayers, "test"}), seed) {}
+                               std::uint32_t maxPlayers, MatchProgram program)
+    : VirtualNetwork(Match(LevelRotation(std::move(levels)), MatchSettings{maxPlayers, "test"}, std::move(program)),
+                     seed) {}
 
 std::size_t SessionNetwork::join(const LinkQuality& quality, Controls controls,
                                  std::shared_ptr<ConfirmedObserver> observer) {

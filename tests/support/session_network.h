@@ -19,7 +19,8 @@ class SessionNetwork : public VirtualNetwork {
  public:
   using Tampering = std::function<void(std::vector<std::uint8_t>&)>;
 
-  SessionNetwork(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
+  SessionNetwork(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16,
+                 MatchProgram program = {});
 
   /// A client with these controls joins now; `observer`, if any, follows its confirmed game. Returns its index.
   std::size_t join(const LinkQuality& quality, Controls controls,

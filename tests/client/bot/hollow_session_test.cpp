@@ -97,7 +97,7 @@ TEST_F(HollowSessionTest, ItsInputsArriveInTime) {
   ASSERT_GT(decided_.size(), 290u);
   EXPECT_NE(std::search(pressed_.begin(), pressed_.end(), decided_.begin(), decided_.end()), pressed_.end());
   EXPECT_GT(session_->confirmedTicks(), 570u);
-  EXPECT_GT(match_.player(kClient)->acknowledged() + 12, session_->confirmedTicks());
+  EXPECT_GT(match_.player(kClient)->ticks().acknowledged() + 12, session_->confirmedTicks());
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
   EXPECT_NEAR(session_->linkStatistics().rttMs, 110, 20);
 }
@@ -117,7 +117,7 @@ TEST_F(HollowSessionTest, JoinsARunningRound) {
   join(delayed(20));
   run(std::chrono::seconds(3));
   EXPECT_TRUE(match_.game().player(match_.player(kClient)->slot()).present);
-  EXPECT_GT(match_.player(kClient)->acknowledged(), 340u);
+  EXPECT_GT(match_.player(kClient)->ticks().acknowledged(), 340u);
   EXPECT_NEAR(session_->confirmedTicks(), 175, 10);  // only ticks since it joined
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
 }
@@ -142,7 +142,7 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
   const MatchPlayer& player = *match_.player(kClient);
   ASSERT_LT(player.slot(), match_.game().slots());
   EXPECT_TRUE(match_.game().player(player.slot()).present);
-  EXPECT_GT(player.acknowledged(), 150u);
+  EXPECT_GT(player.ticks().acknowledged(), 150u);
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
 }
 
@@ -178,7 +178,7 @@ TEST_F(HollowSessionTest, ResumesItsPlayerWithItsToken) {
   ASSERT_TRUE(session_->welcome());
   EXPECT_EQ(session_->welcome()->slot, slot);
   EXPECT_EQ(events(MatchEvent::Kind::kResumed), 1u);
-  EXPECT_GT(match_.player(kClient)->acknowledged(), 90u);
+  EXPECT_GT(match_.player(kClient)->ticks().acknowledged(), 90u);
 }
 
 TEST_F(HollowSessionTest, LeaveRemovesThePlayer) {

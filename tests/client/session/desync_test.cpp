@@ -124,8 +124,8 @@ TEST_P(FlippedField, IsReportedAndResynced) {
   EXPECT_EQ(ticks.match, *flipper->tick);
   EXPECT_GT(ticks.desync, ticks.match);
   EXPECT_LE(ticks.desync, ticks.match + 30);  // one round trip
-  EXPECT_GE(ticks.compared, ticks.match + MatchPlayer::kTicksBetweenStates);
-  EXPECT_LE(ticks.compared, ticks.match + MatchPlayer::kTicksBetweenStates + 30);
+  EXPECT_GE(ticks.compared, ticks.match + ClientTransfers::kTicksBetweenStates);
+  EXPECT_LE(ticks.compared, ticks.match + ClientTransfers::kTicksBetweenStates + 30);
   EXPECT_TRUE(report->summary.ends_with(": " + flipper->field + " of " + flipper->owner + " is " + flipper->flipped +
                                         " on the client, " + flipper->original + " on the server"))
       << report->summary;

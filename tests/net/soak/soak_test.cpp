@@ -49,7 +49,7 @@ void expectMuchDone(const SoakReport& report) {
   // The seal sends 14 bits of the sequence numbers; ENet counts 16 bits of packets and 32 bits of milliseconds.
   EXPECT_GT(report.longestTraffic.sentPackets, 1u << (isFull() ? 20 : 14));
   EXPECT_GT(report.longestTraffic.receivedPackets, 1u << (isFull() ? 20 : 13));
-  EXPECT_EQ(report.longestRound, kRoundTicks + Match::kPauseTicks - 1);
+  EXPECT_EQ(report.longestRound, kRoundTicks + MatchRounds::kPauseTicks - 1);
 }
 
 TEST(Soak, PlayersComeAndGoAndLeaveNoTrace) {

@@ -190,7 +190,7 @@ TEST_F(ConsoleTest, NextEndsTheRound) {
   match_.tick();
   EXPECT_EQ(text("next"), "the round is over");
   EXPECT_EQ(error("next"), "the round is over already; the next one starts within seconds");
-  for (std::uint32_t tick = 0; tick < Match::kPauseTicks; ++tick) match_.tick();
+  for (std::uint32_t tick = 0; tick < MatchRounds::kPauseTicks; ++tick) match_.tick();
   EXPECT_EQ(match_.round(), 2u);
 }
 

@@ -62,7 +62,7 @@ TEST_F(DrainTest, IsOverAfterThePauseOfTheRound) {
   match_.tick();
   drain_.begin(start_, 600s, "");
   match_.endRoundNow();
-  for (std::uint32_t tick = 0; tick < Match::kPauseTicks; ++tick) {
+  for (std::uint32_t tick = 0; tick < MatchRounds::kPauseTicks; ++tick) {
     EXPECT_EQ(drain_.over(start_), std::nullopt) << tick;
     match_.tick();
   }

@@ -192,7 +192,7 @@ TEST_F(HostileResume, AllPlayersOfAFullServerCanDisconnectAtOnce) {
   tick(match);
   EXPECT_EQ(match.players(), kMaxPlayers / 2);
   for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i) EXPECT_EQ(match.player(1001 + i)->slot(), slots[i]);
-  for (std::uint64_t i = 0; i < Match::kResumeTicks + 2; ++i) match.tick();
+  for (std::uint64_t i = 0; i < MatchRoster::kResumeTicks + 2; ++i) match.tick();
   tick(match);
   EXPECT_EQ(events_[Kind::kLeft], kMaxPlayers / 2);
   for (std::uint32_t i = 0; i < kMaxPlayers / 2; ++i) sendHello(match, 2001 + i, 2000 + i);
@@ -211,7 +211,7 @@ TEST_F(HostileResume, AMatchForOneKeepsTheSlotForItsDisconnectedPlayer) {
   ASSERT_TRUE(match.isPlaying(3));
   EXPECT_EQ(match.player(3)->slot(), 0u);
   match.disconnect(3);
-  for (std::uint64_t i = 0; i <= Match::kResumeTicks; ++i) tick(match);
+  for (std::uint64_t i = 0; i <= MatchRoster::kResumeTicks; ++i) tick(match);
   EXPECT_TRUE(match.idle());
   sendHello(match, 4, 4);
   EXPECT_TRUE(match.isPlaying(4));
@@ -293,7 +293,7 @@ TEST(ResumeWhileRecording, TheWholeGameIsRecorded) {
   network.add(FakeClient(network.client(1), [](std::uint32_t) { return 0; }));
   network.run(100);
   network.disconnect(3);
-  network.run(Match::kResumeTicks + 10);
+  network.run(MatchRoster::kResumeTicks + 10);
   ASSERT_TRUE(network.match().idle());
   std::vector<std::uint8_t> bytes;
   std::size_t ends = 0;
@@ -307,7 +307,7 @@ TEST(ResumeWhileRecording, TheWholeGameIsRecorded) {
   EXPECT_FALSE(found.divergence.has_value());
   EXPECT_EQ(found.fault, "");
   EXPECT_EQ(found.ticks, network.match().game().tick());
-  EXPECT_GT(found.ticks, 390 + Match::kResumeTicks);
+  EXPECT_GT(found.ticks, 390 + MatchRoster::kResumeTicks);
 }
 
 // All of an address's players are connected: none makes room.

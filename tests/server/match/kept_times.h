@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "server/match/best_time_keeper.h"
+#include "server/match/round_times.h"
 
 namespace platon {
 

@@ -23,7 +23,7 @@ class MatchAlone : public testing::Test {
  protected:
   MatchAlone()
       : network_(Match(LevelRotation({levelOf(shortWayText())}),
-                       {.maxPlayers = 4, .serverName = "Test", .waitsForOne = true}),
+                       {.maxPlayers = 4, .serverName = "Test", .waitsForOne = true}, {.bestTimes = &times_}),
                  {.delayMs = kTickMs}) {}
 
   FakeClient& add(std::function<int(std::uint32_t)> buttons) {
@@ -31,6 +31,7 @@ class MatchAlone : public testing::Test {
   }
   std::size_t ends() { return network_.count(MatchEvent::Kind::kRoundEnd); }
 
+  KeptTimes times_;
   FakeClientNetwork network_;
 };
 
@@ -43,18 +44,16 @@ TEST_F(MatchAlone, ARoundHasNoTimeLimit) {
 }
 
 TEST_F(MatchAlone, WhoReachesTheGoalAfterTheTimeEndsTheRoundAndIsTimed) {
-  KeptTimes times;
-  network_.match().keepBestTimes(times);
   add([](std::uint32_t tick) { return tick < kRoundTicks + 600 ? +Input::kLeft : +Input::kRight; });
   network_.run(kRoundTicks + 900);
   EXPECT_EQ(ends(), 1U);
-  ASSERT_EQ(times.offered.size(), 1U);
-  EXPECT_GT(times.offered[0].ticks, kRoundTicks);
+  ASSERT_EQ(times_.offered.size(), 1U);
+  EXPECT_GT(times_.offered[0].ticks, kRoundTicks);
 }
 
 TEST_F(MatchAlone, TheNextRoundStartsWhenItIsAskedFor) {
   add(running);
-  network_.run(20 * Match::kPauseTicks);
+  network_.run(20 * MatchRounds::kPauseTicks);
   EXPECT_EQ(ends(), 1U);
   ASSERT_TRUE(network_.client(1).roundEnd());
   EXPECT_EQ(network_.client(1).roundEnd()->pauseTicks, 0U);
@@ -69,7 +68,7 @@ TEST_F(MatchAlone, WithASecondPlayerTheTimeCountsAgain) {
   add(idle);
   network_.run(5);
   EXPECT_EQ(ends(), 1U) << "the time has passed";
-  network_.run(Match::kPauseTicks + 5);
+  network_.run(MatchRounds::kPauseTicks + 5);
   EXPECT_EQ(network_.match().round(), 2U);
 }
 
@@ -108,8 +107,8 @@ TEST_F(MatchAlone, ASecondPlayerInThePauseIsToldWhenTheNextRoundStarts) {
   ASSERT_EQ(network_.client(1).roundEnd()->pauseTicks, 0U);
   add(idle);
   network_.run(10);
-  EXPECT_EQ(network_.client(1).roundEnd()->pauseTicks, Match::kPauseTicks);
-  network_.run(Match::kPauseTicks);
+  EXPECT_EQ(network_.client(1).roundEnd()->pauseTicks, MatchRounds::kPauseTicks);
+  network_.run(MatchRounds::kPauseTicks);
   EXPECT_EQ(network_.match().round(), 2U);
 }
 

@@ -160,7 +160,7 @@ TEST_F(MatchControlTest, ARoundThatIsEndedGoesOnForThePause) {
   EXPECT_TRUE(match().endRoundNow());
   EXPECT_FALSE(match().endRoundNow());
   const std::uint32_t end = match().game().tick();
-  network_.run(Match::kPauseTicks - 1);
+  network_.run(MatchRounds::kPauseTicks - 1);
   EXPECT_EQ(match().round(), 1u);
   ASSERT_TRUE(network_.client(1).roundEnd());
   EXPECT_EQ(network_.client(1).roundEnd()->tick, end);
@@ -223,7 +223,7 @@ TEST_F(MatchControlTest, MissedInputsOfConnectedPlayersAreCountedOverAllRounds) 
   EXPECT_GT(missed, 0u);
   EXPECT_LE(missed, 30u);
   match().endRoundNow();
-  network_.run(Match::kPauseTicks + 5);
+  network_.run(MatchRounds::kPauseTicks + 5);
   EXPECT_EQ(match().round(), 2u);
   EXPECT_EQ(match().missedInputs(), missed);
 }
@@ -259,7 +259,7 @@ TEST_F(MatchControlTest, AMatchThatDrainsStartsNoOtherRound) {
   match().drain("Soon over.", {RefusalCode::kOther, "go elsewhere", "example.org:1"});
   EXPECT_FALSE(match().drained());
   EXPECT_TRUE(match().endRoundNow());
-  network_.run(Match::kPauseTicks - 1);
+  network_.run(MatchRounds::kPauseTicks - 1);
   EXPECT_FALSE(match().drained());
   network_.run(1);
   EXPECT_TRUE(match().drained());

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <random>
 #include <variant>
 
 #include "tests/support/test_levels.h"
@@ -11,22 +13,114 @@ namespace {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
+TEST(InputBuffer, ThePlayerIsAbsentUntilItsFirstInput) {
+  InputBuffer buffer(10);
+  EXPECT_TRUE(buffer.add(12, pressing(1)));
+  EXPECT_EQ(buffer.decide(), Input{});
+  EXPECT_EQ(buffer.decide(), Input{});
+  EXPECT_EQ(buffer.decide(), pressing(1));
+  EXPECT_EQ(buffer.next(), 13u);
+  EXPECT_EQ(buffer.missed(), 0u);
+}
+
+TEST(InputBuffer, HoldsTheLastInputForASecondAndThenReleasesIt) {
+  InputBuffer buffer;
+  buffer.add(0, pressing(Input::kRight));
+  buffer.decide();
+  for (std::uint32_t i = 0; i < InputBuffer::kHoldTicks; ++i) EXPECT_EQ(buffer.decide(), pressing(Input::kRight)) << i;
+  EXPECT_EQ(buffer.decide(), pressing(0));
+  EXPECT_EQ(buffer.missed(), InputBuffer::kHoldTicks + 1u);
+}
+
+TEST(InputBuffer, IgnoresInputsForDecidedKnownAndFarTicks) {
+  InputBuffer buffer(5);
+  EXPECT_FALSE(buffer.add(4, pressing(1)));
+  EXPECT_TRUE(buffer.add(5, pressing(1)));
+  EXPECT_FALSE(buffer.add(5, pressing(2)));
+  EXPECT_TRUE(buffer.add(5 + InputBuffer::kWindow - 1, pressing(3)));
+  EXPECT_FALSE(buffer.add(5 + InputBuffer::kWindow, pressing(4)));
+  EXPECT_FALSE(buffer.add(UINT32_MAX, pressing(4)));
+  EXPECT_EQ(buffer.decide(), pressing(1));
+  EXPECT_FALSE(buffer.add(5, pressing(2)));
+}
+
+// Its place in the buffer is that of the next tick, which is still free.
+TEST(InputBuffer, AnInputBeyondTheWindowIsNotThatOfTheNextTick) {
+  InputBuffer buffer(5);
+  EXPECT_FALSE(buffer.add(5 + InputBuffer::kWindow, pressing(4)));
+  EXPECT_EQ(buffer.decide(), Input{});
+}
+
+// Compares the buffer with an unbounded table, on inputs in random order. A tick without input repeats the one before.
+TEST(InputBuffer, DecidesEachTickByItsFirstInputInTime) {
+  constexpr std::uint64_t seed = 7;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  InputBuffer buffer;
+  std::map<std::uint32_t, Input> table;
+  Input last;
+  for (std::uint32_t tick = 0; tick < 20000; ++tick) {
+    for (int i = 0; i < 2; ++i) {
+      const auto target = static_cast<std::uint32_t>(tick + random() % 12);
+      const Input input = pressing(static_cast<int>(random() % 32));
+      EXPECT_EQ(buffer.add(target, input), table.emplace(target, input).second);
+    }
+    if (table.contains(tick)) last = table.at(tick);
+    ASSERT_EQ(buffer.decide(), last) << "tick " << tick;
+  }
+}
+
+TEST(VoteWish, CountsAtOnceAndEndsWhenItIsTakenBackASecondLater) {
+  VoteWish wish;
+  EXPECT_FALSE(wish.counts(1000));
+  wish.set(true);
+  EXPECT_TRUE(wish.counts(1000));
+  wish.set(false);
+  EXPECT_TRUE(wish.counts(1000 + VoteWish::kMinTicks - 1));
+  EXPECT_FALSE(wish.counts(1000 + VoteWish::kMinTicks));
+}
+
+TEST(VoteWish, TheLastOfManyWishesCounts) {
+  VoteWish wish;
+  std::uint64_t changes = 0;
+  bool before = false;
+  for (std::uint64_t tick = 0; tick < 600; ++tick) {
+    for (int i = 0; i < 101; ++i) wish.set(i % 2 == (tick % 2 == 0 ? 0 : 1));
+    const bool counts = wish.counts(tick);
+    changes += counts != before ? 1 : 0;
+    before = counts;
+  }
+  EXPECT_LE(changes, 600 / VoteWish::kMinTicks);
+  EXPECT_GT(changes, 0u);
+  wish.set(true);
+  EXPECT_TRUE(wish.counts(700));
+}
+
+TEST(VoteWish, EndsAtOnceWhenItIsCleared) {
+  VoteWish wish;
+  wish.set(true);
+  EXPECT_TRUE(wish.counts(5));
+  wish.clear();
+  EXPECT_FALSE(wish.counts(5));
+  EXPECT_FALSE(wish.counts(5 + 2 * VoteWish::kMinTicks));
+}
+
 void receive(MatchPlayer& player, const PlayerInputs& message, std::uint32_t decided) {
-  player.countMessage(message.sequence);
+  player.inputs().countMessage(message.sequence);
   player.addInputs(message, decided, 0);
 }
 
 class MatchPlayerTest : public testing::Test {
  protected:
   std::optional<SlackReport> takeSlack() {
-    const auto report = player_.takeLinkReport();
+    const auto report = player_.inputs().takeLinkReport();
     return report ? report->slack : std::nullopt;
   }
 
   // Number of level texts among the messages of all transfers.
   std::uint32_t takeLevels() {
     std::uint32_t levels = 0;
-    for (auto chunk = player_.nextChunk(); chunk; chunk = player_.nextChunk()) {
+    for (auto chunk = player_.transfers().nextChunk(); chunk; chunk = player_.transfers().nextChunk()) {
       levels += std::holds_alternative<LevelChunk>(*decodeToClient(*chunk)) ? 1 : 0;
     }
     return levels;
@@ -35,77 +129,17 @@ class MatchPlayerTest : public testing::Test {
   MatchPlayer player_{0, "Ann", SessionToken{1, 2, 3}, 0};
 };
 
-// One message in four starts at the first unacknowledged tick, the others eight ticks before the end.
-TEST_F(MatchPlayerTest, EveryFourthMessageRepeatsAllUnacknowledgedTicks) {
-  player_.acknowledge(100);
-  std::vector<std::uint32_t> starts;
-  for (int message = 0; message < 5; ++message) {
-    starts.push_back(player_.nextTickToSend(140, 1));
-    player_.ticksSent(starts.back(), 140, 140);
-  }
-  EXPECT_EQ(starts, (std::vector<std::uint32_t>{100, 132, 132, 132, 100}));
-  player_.acknowledge(135);
-  EXPECT_EQ(player_.nextTickToSend(140, 1), 135u);
-  EXPECT_EQ(player_.nextTickToSend(3, 1), 135u);
-}
-
-// The rarer the messages, the more ticks each repeats: a tick is in four messages at least.
-TEST_F(MatchPlayerTest, RareMessagesRepeatMoreTicks) {
-  player_.acknowledge(100);
-  player_.ticksSent(100, 140, 140);
-  EXPECT_EQ(player_.nextTickToSend(140, 1), 132u);
-  EXPECT_EQ(player_.nextTickToSend(140, 2), 132u);
-  EXPECT_EQ(player_.nextTickToSend(140, 3), 128u);
-}
-
-TEST_F(MatchPlayerTest, AMessageContinuesWhereTheLastOneWasFull) {
-  player_.acknowledge(100);
-  player_.ticksSent(100, 340, 500);
-  EXPECT_EQ(player_.nextTickToSend(500, 1), 340u);
-  player_.ticksSent(340, 500, 500);
-  EXPECT_EQ(player_.nextTickToSend(500, 1), 492u);
-}
-
-// Whatever the number of messages in between.
-TEST_F(MatchPlayerTest, AllUnacknowledgedTicksAreRepeatedAfterMessagesInParts) {
-  for (std::uint32_t parts = 3; parts < 8; ++parts) {
-    player_.acknowledge(100 * parts);
-    player_.ticksSent(100 * parts, 100 * parts + 1, 100 * parts + 50);
-    for (std::uint32_t i = 1; i < parts; ++i) player_.ticksSent(100 * parts + i, 100 * parts + i + 1, 100 * parts + 50);
-    player_.ticksSent(100 * parts + parts, 100 * parts + 50, 100 * parts + 50);
-    EXPECT_EQ(player_.nextTickToSend(100 * parts + 50, 3), 100 * parts) << parts << " parts";
-  }
-}
-
-TEST_F(MatchPlayerTest, FallsBehindWhenMessagesHoldFewTicks) {
-  player_.ticksSent(100, 105, 200);
-  EXPECT_FALSE(player_.fallsBehind(2));
-  EXPECT_TRUE(player_.fallsBehind(3));
-  player_.ticksSent(105, 200, 200);
-  EXPECT_FALSE(player_.fallsBehind(3));
-  player_.ticksSent(195, 200, 200);
-  EXPECT_FALSE(player_.fallsBehind(3)) << "it held all";
-}
-
-// The client acknowledges the first part before the second is sent.
-TEST_F(MatchPlayerTest, AMessageContinuesWhereAnAcknowledgedOneWasFull) {
-  player_.acknowledge(100);
-  player_.ticksSent(100, 102, 150);
-  player_.acknowledge(102);
-  EXPECT_EQ(player_.nextTickToSend(150, 3), 102u);
-}
-
-TEST_F(MatchPlayerTest, WithoutAMessageThereIsNoLinkReport) { EXPECT_FALSE(player_.takeLinkReport()); }
+TEST_F(MatchPlayerTest, WithoutAMessageThereIsNoLinkReport) { EXPECT_FALSE(player_.inputs().takeLinkReport()); }
 
 TEST_F(MatchPlayerTest, SlackIsThatOfTheNewestInputWhenNothingChanges) {
   receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1)}, 5}, 8);
   EXPECT_EQ(takeSlack(), (SlackReport{12, 4}));
-  EXPECT_FALSE(player_.takeLinkReport());
+  EXPECT_FALSE(player_.inputs().takeLinkReport());
 }
 
 TEST_F(MatchPlayerTest, SlackIsThatOfTheOldestNewInputThatChangesTheButtons) {
   receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1)}, 5}, 8);
-  player_.takeLinkReport();
+  player_.inputs().takeLinkReport();
   // The message with the change at tick 13 was lost.
   receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1), pressing(2), pressing(2)}, 7}, 14);
   EXPECT_EQ(takeSlack(), (SlackReport{13, -1}));
@@ -128,9 +162,9 @@ TEST_F(MatchPlayerTest, SlackIsClamped) {
 
 TEST_F(MatchPlayerTest, RepeatedInputsHaveNoSlack) {
   receive(player_, {1, 0, 0, 0, 14, {pressing(2), pressing(4)}, 9}, 15);
-  player_.takeLinkReport();
+  player_.inputs().takeLinkReport();
   receive(player_, {1, 0, 0, 0, 14, {pressing(2), pressing(4)}, 10}, 16);
-  const auto report = player_.takeLinkReport();
+  const auto report = player_.inputs().takeLinkReport();
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->slack);
   EXPECT_EQ(report->sequence, 10);
@@ -139,7 +173,7 @@ TEST_F(MatchPlayerTest, RepeatedInputsHaveNoSlack) {
 TEST_F(MatchPlayerTest, LossIsMeasuredOnSequenceNumbers) {
   receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 5}, 8);
   receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 7}, 8);
-  const auto report = player_.takeLinkReport();
+  const auto report = player_.inputs().takeLinkReport();
   ASSERT_TRUE(report);
   EXPECT_EQ(report->lostPercent, 33);
   EXPECT_EQ(report->sequence, 7);
@@ -149,69 +183,35 @@ TEST_F(MatchPlayerTest, AMessageBeforeTheLastStateOrAcknowledgementIsNotCurrent)
   const auto message = [](std::uint8_t sync, std::uint32_t confirmed) {
     return PlayerInputs{1, sync, confirmed, 0, confirmed, {}, 0};
   };
-  player_.acknowledge(20);
+  player_.ticks().acknowledge(20);
   EXPECT_TRUE(player_.isCurrent(message(0, 20)));
   EXPECT_FALSE(player_.isCurrent(message(0, 19)));
-  player_.sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 30, 0);
+  player_.transfers().sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 0);
+  player_.ticks().acknowledge(30);
   EXPECT_FALSE(player_.isCurrent(message(0, 30)));
   EXPECT_TRUE(player_.isCurrent(message(1, 30)));
 }
 
-TEST_F(MatchPlayerTest, StatesAreASecondApart) {
-  EXPECT_TRUE(player_.maySendState(0));
-  player_.sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 30, 100);
-  EXPECT_FALSE(player_.maySendState(159));
-  EXPECT_TRUE(player_.maySendState(160));
-}
-
-TEST_F(MatchPlayerTest, NumbersOfStatesSkipZero) {
-  for (int i = 0; i < 256; ++i) player_.sendState(Transfer(1, 1, player_.nextSync(), SharedBytes({1})), 1, 0);
-  const auto chunk = player_.nextChunk();
-  ASSERT_TRUE(chunk);
-  EXPECT_EQ(std::get<StateChunk>(*decodeToClient(*chunk)).sync, 1);
-  EXPECT_FALSE(player_.nextChunk());  // a new state replaces the transfer of the last one
-}
-
-TEST_F(MatchPlayerTest, ALevelInTransferIsNotSentTwice) {
-  const LevelPointer level = levelOf(farGoalText());
-  player_.sendLevel(Transfer(level));
-  player_.sendLevel(Transfer(level));
-  EXPECT_EQ(takeLevels(), 1u);
-}
-
-TEST_F(MatchPlayerTest, LevelsPerRoundAreLimited) {
-  const LevelPointer level = levelOf(farGoalText());
-  std::uint32_t levels = 0;
-  for (std::uint32_t i = 0; i < 2 * MatchPlayer::kMaxLevelsPerRound; ++i) {
-    player_.sendLevel(Transfer(level));
-    levels += takeLevels();
-  }
-  EXPECT_EQ(levels, MatchPlayer::kMaxLevelsPerRound);
-  player_.startRound();
-  player_.sendLevel(Transfer(level));
-  EXPECT_EQ(takeLevels(), 1u);
-}
-
 TEST_F(MatchPlayerTest, ANewRoundCancelsTheTransferOfAStateButNotOfALevel) {
-  player_.sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 30, 0);
-  player_.sendLevel(Transfer(levelOf(farGoalText())));
+  player_.transfers().sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 0);
+  player_.transfers().sendLevel(Transfer(levelOf(farGoalText())));
   player_.startRound();
   EXPECT_EQ(takeLevels(), 1u);
-  EXPECT_FALSE(player_.started());
+  EXPECT_FALSE(player_.ticks().started());
 }
 
 TEST_F(MatchPlayerTest, ResumingKeepsSlotAndTokenAndDiscardsAllElse) {
-  player_.acknowledge(20);
-  player_.sendLevel(Transfer(levelOf(farGoalText())));
+  player_.ticks().acknowledge(20);
+  player_.transfers().sendLevel(Transfer(levelOf(farGoalText())));
   receive(player_, {1, 0, 0, 0, 0, {pressing(1)}, 5}, 0);
   player_.resume("Anna");
   EXPECT_EQ(player_.slot(), 0u);
   EXPECT_EQ(player_.name(), "Anna");
   EXPECT_TRUE(player_.hasToken(SessionToken{1, 2, 3}));
-  EXPECT_EQ(player_.acknowledged(), 0u);
-  EXPECT_FALSE(player_.nextChunk());
-  EXPECT_FALSE(player_.takeLinkReport());
-  EXPECT_EQ(player_.decideInput(), Input{});
+  EXPECT_EQ(player_.ticks().acknowledged(), 0u);
+  EXPECT_FALSE(player_.transfers().nextChunk());
+  EXPECT_FALSE(player_.inputs().takeLinkReport());
+  EXPECT_EQ(player_.inputs().decide(), Input{});
 }
 
 TEST_F(MatchPlayerTest, IsActiveForAMinuteAfterTheLastChangedButton) {

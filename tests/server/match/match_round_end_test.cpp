@@ -88,7 +88,7 @@ TEST_F(MatchRoundEnd, AnInactivePlayerStaysInactiveInTheNextRound) {
   add(running);
   add(idle);
   ticksUntilEnd(2 * kActiveTicks);
-  network_.run(Match::kPauseTicks + 150);
+  network_.run(MatchRounds::kPauseTicks + 150);
   EXPECT_EQ(network_.match().round(), 2u);
   EXPECT_EQ(network_.count(Kind::kRoundEnd), 2u) << "it ended when the first player finished";
 }
@@ -100,7 +100,7 @@ TEST_F(MatchRoundEnd, ARoundWaitsTenSecondsForADisconnectedPlayer) {
   ASSERT_TRUE(finished(0));
   network_.disconnect(2);
   const std::uint32_t ticks = ticksUntilEnd(kActiveTicks);
-  EXPECT_EQ(ticks, Match::kAwaitTicks);
+  EXPECT_EQ(ticks, MatchRounds::kAwaitTicks);
   EXPECT_FALSE(network_.match().idle());
 }
 
@@ -109,7 +109,7 @@ TEST_F(MatchRoundEnd, ADisconnectedPlayerThatIsResumedInTimeHoldsTheRound) {
   add(idle);
   network_.run(200);
   network_.disconnect(2);
-  network_.run(Match::kAwaitTicks - 60);
+  network_.run(MatchRounds::kAwaitTicks - 60);
   network_.add(FakeClient(network_.client(2), idle));
   network_.run(300);
   EXPECT_FALSE(ended());
@@ -133,7 +133,7 @@ TEST_F(MatchRoundEnd, TheNextRoundStartsFiveSecondsAfterTheEnd) {
   add(running);
   add(idle);
   ticksUntilEnd(2 * kActiveTicks);
-  network_.run(Match::kPauseTicks - 1);
+  network_.run(MatchRounds::kPauseTicks - 1);
   EXPECT_EQ(network_.match().round(), 1u);
   network_.run(1);
   EXPECT_EQ(network_.match().round(), 2u);

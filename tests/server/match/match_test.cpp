@@ -43,7 +43,7 @@ TEST(Match, SendsWelcomeAndTheNamesOfAllPlayers) {
   network.add(player("Ann"));
   network.run(5);
   network.add(player(""));
-  network.run(Match::kRosterTicks);
+  network.run(MatchUpdates::kNamesTicks);
   const auto welcome = network.client(2).welcome();
   ASSERT_TRUE(welcome);
   EXPECT_EQ(welcome->slot, 1u);
@@ -54,7 +54,7 @@ TEST(Match, SendsWelcomeAndTheNamesOfAllPlayers) {
   EXPECT_EQ(network.client(1).roster(), roster);
   EXPECT_EQ(network.client(2).roster(), roster);
   network.leave(2);
-  network.run(Match::kRosterTicks);
+  network.run(MatchUpdates::kNamesTicks);
   EXPECT_EQ(network.client(1).roster().at(1), "");
 }
 
@@ -161,7 +161,7 @@ TEST(Match, ALateInputIsReplacedByTheLastOneAndReportedToItsClient) {
   EXPECT_EQ(decided.rbegin()->second, pressing(0));
   ASSERT_TRUE(network.client(1).slack());
   EXPECT_EQ(network.client(1).slack()->slack, 5 - 2 * 4);
-  EXPECT_GT(network.match().player(1)->missedInputs(), 100u);
+  EXPECT_GT(network.match().player(1)->inputs().missed(), 100u);
 }
 
 // Level and state follow Welcome without a request.
@@ -267,7 +267,7 @@ TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
   ASSERT_TRUE(end);
   EXPECT_EQ(end->round, 1u);
   EXPECT_EQ(end->nextLevelHash, far->hash);
-  network.run(Match::kPauseTicks + 60);
+  network.run(MatchRounds::kPauseTicks + 60);
   EXPECT_EQ(network.match().round(), 2u);
   EXPECT_EQ(network.match().game().level().hash, far->hash);
   for (const ClientId client : {1u, 2u}) {
@@ -286,7 +286,7 @@ TEST(Match, TheNextRoundStartsFiveSecondsAfterTheEnd) {
     ASSERT_LT(tick, 60);
     network.run(1);
   }
-  network.run(Match::kPauseTicks - 1);
+  network.run(MatchRounds::kPauseTicks - 1);
   EXPECT_EQ(network.match().round(), 1u);
   network.run(1);
   EXPECT_EQ(network.match().round(), 2u);
@@ -320,7 +320,7 @@ TEST(Match, LimitsTheLevelsThatAClientRequestsInARound) {
       chunks += std::holds_alternative<LevelChunk>(*decodeToClient(message.bytes)) ? 1 : 0;
     }
   }
-  EXPECT_EQ(chunks, MatchPlayer::kMaxLevelsPerRound);
+  EXPECT_EQ(chunks, ClientTransfers::kMaxLevelsPerRound);
 }
 
 TEST(Match, AClientThatAcknowledgesNothingIsSentLessAndLess) {
@@ -382,7 +382,7 @@ TEST(Match, NewLevelsArePlayedAfterTheCurrentOne) {
   network.run(10);
   network.match().setLevels({levelOf(farGoalText())});
   EXPECT_EQ(network.match().game().level().hash, levelOf(nearGoalText())->hash);
-  network.run(Match::kPauseTicks + 20);
+  network.run(MatchRounds::kPauseTicks + 20);
   EXPECT_EQ(network.match().game().level().hash, levelOf(farGoalText())->hash);
 }
 

@@ -58,7 +58,7 @@ TEST_F(ResumeMatch, ADisconnectedPlayerIsKeptForAMinute) {
   network_.add(FakeClient("Ben", 12, running));
   network_.run(50);
   network_.disconnect(1);
-  network_.run(Match::kResumeTicks);
+  network_.run(MatchRoster::kResumeTicks);
   EXPECT_TRUE(network_.match().game().player(0).present);
   network_.match().receive(9, Hello{});
   EXPECT_FALSE(network_.match().isPlaying(9));  // its slot is not free
@@ -74,7 +74,7 @@ TEST_F(ResumeMatch, AfterAMinuteTheTokenResumesNothing) {
   network_.add(FakeClient("Ben", 12, running));
   network_.run(50);
   network_.disconnect(1);
-  network_.run(Match::kResumeTicks + 5);
+  network_.run(MatchRoster::kResumeTicks + 5);
   network_.add(FakeClient(network_.client(1), running));
   network_.run(20);
   EXPECT_EQ(network_.count(Kind::kResumed), 0u);
@@ -132,7 +132,7 @@ TEST_F(ResumeMatch, AGameWithOnlyDisconnectedPlayersIsPausedAfterAMinute) {
   network_.add(FakeClient("Ann", 12, running));
   network_.run(50);
   network_.disconnect(1);
-  network_.run(Match::kResumeTicks + 10);
+  network_.run(MatchRoster::kResumeTicks + 10);
   EXPECT_TRUE(network_.match().idle());
   const std::uint32_t tick = network_.match().game().tick();
   network_.run(20);

@@ -62,8 +62,8 @@ TEST(SceneFeed, ShowsThatPlayersAreMissing) {
 }
 
 TEST(SceneFeed, ShowsTheRoundTripsThatTheServerTells) {
-  SessionNetwork match({endlessLevel()}, 1);
-  match.match().setRoundTrip([](ClientId client) { return static_cast<std::uint32_t>(20 * client); });
+  const auto roundTrip = [](ClientId client) { return std::uint32_t{20 * client}; };
+  SessionNetwork match({endlessLevel()}, 1, 16, {.roundTrip = roundTrip});
   match.join({}, kRight);
   match.join({}, kRight);
   SceneFeed feed;

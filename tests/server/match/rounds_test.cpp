@@ -1,12 +1,53 @@
 // Votes, countdown and what comes next. When a round ends by itself: match_round_end_test.
+#include "server/match/rounds.h"
+
 #include <gtest/gtest.h>
 
 #include "server/match/match.h"
 #include "tests/server/match/kept_times.h"
 #include "tests/support/test_levels.h"
 
-namespace platon::match_rounds_test {
+namespace platon::rounds_test {
 namespace {
+
+TEST(VotePasses, WithMoreThanHalfOfTheVoters) {
+  for (std::uint32_t voters = 0; voters <= kMaxPlayers; ++voters) {
+    std::uint32_t fewest = 0;
+    while (!votePasses({1, fewest, voters})) ++fewest;
+    EXPECT_EQ(fewest, voters / 2 + 1) << voters << " voters";
+  }
+}
+
+TEST(VoteNotices, NobodyIsToldWhileNobodyVotes) {
+  VoteNotices notices;
+  for (std::uint32_t voters = 0; voters < 5; ++voters) EXPECT_EQ(notices.take({1, 0, voters}, voters), std::nullopt);
+  EXPECT_EQ(notices.told(), std::nullopt);
+}
+
+TEST(VoteNotices, EveryChangeIsToldButAtMostFourASecond) {
+  VoteNotices notices;
+  EXPECT_EQ(notices.take({1, 1, 3}, 10), (VoteCount{1, 1, 3}));
+  EXPECT_EQ(notices.told(), (VoteCount{1, 1, 3}));
+  EXPECT_EQ(notices.take({1, 1, 3}, 500), std::nullopt) << "no change";
+  EXPECT_EQ(notices.take({1, 1, 4}, 500), (VoteCount{1, 1, 4}));
+  EXPECT_EQ(notices.take({1, 2, 4}, 500 + VoteNotices::kMinTicks - 1), std::nullopt) << "too soon";
+  EXPECT_EQ(notices.take({1, 2, 5}, 500 + VoteNotices::kMinTicks), (VoteCount{1, 2, 5})) << "the newest";
+}
+
+TEST(VoteNotices, TheEndOfTheLastVoteIsTold) {
+  VoteNotices notices;
+  notices.take({1, 1, 3}, 10);
+  EXPECT_EQ(notices.take({1, 0, 3}, 100), (VoteCount{1, 0, 0}));
+  EXPECT_EQ(notices.told(), std::nullopt);
+}
+
+TEST(VoteNotices, ARoundBeginsWithoutVotes) {
+  VoteNotices notices;
+  notices.take({1, 1, 3}, 10);
+  notices.startRound();
+  EXPECT_EQ(notices.told(), std::nullopt);
+  EXPECT_EQ(notices.take({2, 0, 3}, 100), std::nullopt);
+}
 
 using Kind = MatchEvent::Kind;
 
@@ -22,7 +63,7 @@ Hello helloOf(ClientId client) {
 }
 
 /// A match without a network: messages of clients take effect at once.
-class MatchRounds : public testing::Test {
+class MatchRoundsTest : public testing::Test {
  protected:
   void join(ClientId client) { match_.receive(client, helloOf(client)); }
   void join(ClientId first, ClientId last) {
@@ -58,7 +99,7 @@ class MatchRounds : public testing::Test {
   Match match_{LevelRotation({far_, near_}), {16, "Test"}};
 };
 
-TEST_F(MatchRounds, AVotePassesExactlyWithMoreThanHalfOfThePlayers) {
+TEST_F(MatchRoundsTest, AVotePassesExactlyWithMoreThanHalfOfThePlayers) {
   for (ClientId players = 1; players <= 9; ++players) {
     match_ = Match(LevelRotation({far_, near_}), {16, "Test"});
     join(1, players);
@@ -71,7 +112,7 @@ TEST_F(MatchRounds, AVotePassesExactlyWithMoreThanHalfOfThePlayers) {
       EXPECT_EQ(cause(), "vote") << client << " of " << players;
       break;
     }
-    run(Match::kPauseTicks - 1);
+    run(MatchRounds::kPauseTicks - 1);
     EXPECT_EQ(match_.round(), 1u);
     run();
     EXPECT_EQ(match_.round(), 2u);
@@ -79,7 +120,7 @@ TEST_F(MatchRounds, AVotePassesExactlyWithMoreThanHalfOfThePlayers) {
   }
 }
 
-TEST_F(MatchRounds, APlayerWhoLeavesLowersTheBar) {
+TEST_F(MatchRoundsTest, APlayerWhoLeavesLowersTheBar) {
   join(1, 4);
   vote(1);
   vote(2);
@@ -90,7 +131,7 @@ TEST_F(MatchRounds, APlayerWhoLeavesLowersTheBar) {
   EXPECT_EQ(cause(), "vote");
 }
 
-TEST_F(MatchRounds, ADisconnectedPlayerHasNoVoteAndIsNoVoter) {
+TEST_F(MatchRoundsTest, ADisconnectedPlayerHasNoVoteAndIsNoVoter) {
   join(1, 5);
   for (const ClientId client : {1u, 2u}) vote(client);
   run(10);
@@ -106,7 +147,7 @@ TEST_F(MatchRounds, ADisconnectedPlayerHasNoVoteAndIsNoVoter) {
   EXPECT_EQ(cause(), "vote") << "1 of 1";
 }
 
-TEST_F(MatchRounds, AResumedPlayerHasNotVoted) {
+TEST_F(MatchRoundsTest, AResumedPlayerHasNotVoted) {
   join(1, 3);
   vote(1);
   run(10);
@@ -122,7 +163,7 @@ TEST_F(MatchRounds, AResumedPlayerHasNotVoted) {
 }
 
 // A vote counts as activity, as a button does.
-TEST_F(MatchRounds, APlayerThatHasBeenInactiveForAMinuteIsNoVoter) {
+TEST_F(MatchRoundsTest, APlayerThatHasBeenInactiveForAMinuteIsNoVoter) {
   join(1, 4);
   run(30);
   vote(1);
@@ -132,7 +173,7 @@ TEST_F(MatchRounds, APlayerThatHasBeenInactiveForAMinuteIsNoVoter) {
   EXPECT_EQ(cause(), "vote") << "1 of 1";
 }
 
-TEST_F(MatchRounds, AVoteCanBeTakenBack) {
+TEST_F(MatchRoundsTest, AVoteCanBeTakenBack) {
   join(1, 3);
   vote(1);
   run();
@@ -143,37 +184,37 @@ TEST_F(MatchRounds, AVoteCanBeTakenBack) {
   EXPECT_EQ(cause(), "") << "1 of 3";
 }
 
-TEST_F(MatchRounds, AVoteForAnotherRoundHasNoEffect) {
+TEST_F(MatchRoundsTest, AVoteForAnotherRoundHasNoEffect) {
   join(1);
   for (const std::uint32_t round : {0u, 2u, UINT32_MAX}) match_.receive(1, Vote{round, true});
   run(100);
   EXPECT_EQ(cause(), "");
 }
 
-TEST_F(MatchRounds, AVoteDuringThePauseHasNoEffectNowOrLater) {
+TEST_F(MatchRoundsTest, AVoteDuringThePauseHasNoEffectNowOrLater) {
   join(1);
   run();
   match_.endRoundNow();
   EXPECT_EQ(cause(), "operator");
   vote(1);
-  run(Match::kPauseTicks + 100);
+  run(MatchRounds::kPauseTicks + 100);
   EXPECT_EQ(cause(), "");
   EXPECT_EQ(match_.round(), 2u);
 }
 
-TEST_F(MatchRounds, VotesEndWithTheirRound) {
+TEST_F(MatchRoundsTest, VotesEndWithTheirRound) {
   join(1, 3);
   vote(1);
   run();
   match_.endRoundNow();
-  run(Match::kPauseTicks);
+  run(MatchRounds::kPauseTicks);
   cause();
   vote(2);
   run(100);
   EXPECT_EQ(cause(), "") << "1 of 3";
 }
 
-TEST_F(MatchRounds, AClientThatHasNotJoinedHasNoVote) {
+TEST_F(MatchRoundsTest, AClientThatHasNotJoinedHasNoVote) {
   join(1, 2);
   vote(1);
   vote(9);
@@ -181,7 +222,7 @@ TEST_F(MatchRounds, AClientThatHasNotJoinedHasNoVote) {
   EXPECT_EQ(cause(), "");
 }
 
-TEST_F(MatchRounds, PlayersAreToldTheCountWhenItChanges) {
+TEST_F(MatchRoundsTest, PlayersAreToldTheCountWhenItChanges) {
   join(1, 5);
   run(50);
   EXPECT_TRUE(sentTo<VoteCount>(3).empty()) << "nobody has voted";
@@ -202,7 +243,7 @@ TEST_F(MatchRounds, PlayersAreToldTheCountWhenItChanges) {
 }
 
 // A flood of votes costs the others at most this.
-TEST_F(MatchRounds, AFloodOfVotesSendsAtMostOneMessageASecond) {
+TEST_F(MatchRoundsTest, AFloodOfVotesSendsAtMostOneMessageASecond) {
   join(1, 5);
   run(100);
   sentTo<VoteCount>(3);
@@ -217,10 +258,9 @@ TEST_F(MatchRounds, AFloodOfVotesSendsAtMostOneMessageASecond) {
   EXPECT_EQ(cause(), "");
 }
 
-TEST_F(MatchRounds, AFinishInTheTickOfAVoteEndsTheRoundOnce) {
-  match_ = Match(LevelRotation({near_, far_}), {4, "Test"});
+TEST_F(MatchRoundsTest, AFinishInTheTickOfAVoteEndsTheRoundOnce) {
   KeptTimes times;
-  match_.keepBestTimes(times);
+  match_ = Match(LevelRotation({near_, far_}), {4, "Test"}, {.bestTimes = &times});
   join(1);
   PlayerInputs inputs;
   inputs.round = 1;
@@ -233,23 +273,23 @@ TEST_F(MatchRounds, AFinishInTheTickOfAVoteEndsTheRoundOnce) {
   ASSERT_EQ(ends.size(), 1u);
   EXPECT_EQ(ends[0].best, (LevelBest{1, "P1", true}));
   EXPECT_EQ(cause(), "finished");
-  run(Match::kPauseTicks - 1);
+  run(MatchRounds::kPauseTicks - 1);
   EXPECT_TRUE(sentTo<RoundEnd>(1).empty());
 }
 
-TEST_F(MatchRounds, TheEndNamesTheNextLevelAndThePause) {
+TEST_F(MatchRoundsTest, TheEndNamesTheNextLevelAndThePause) {
   join(1);
   run(20);
   match_.takeOutgoing();
   match_.endRoundNow();
-  const RoundEnd expected{1, 20, near_->hash, "Near by", Match::kPauseTicks, std::nullopt};
+  const RoundEnd expected{1, 20, near_->hash, "Near by", MatchRounds::kPauseTicks, std::nullopt};
   EXPECT_EQ(sentTo<RoundEnd>(1), std::vector{expected});
   run(10);
   join(2);
   EXPECT_EQ(sentTo<RoundEnd>(2), std::vector{expected}) << "a newcomer sees the countdown too";
 }
 
-TEST_F(MatchRounds, NewLevelsDuringThePauseAreNamedAgain) {
+TEST_F(MatchRoundsTest, NewLevelsDuringThePauseAreNamedAgain) {
   join(1);
   run();
   match_.setLevels({near_});
@@ -260,11 +300,11 @@ TEST_F(MatchRounds, NewLevelsDuringThePauseAreNamedAgain) {
   const std::vector<RoundEnd> ends = sentTo<RoundEnd>(1);
   ASSERT_EQ(ends.size(), 1u);
   EXPECT_EQ(ends[0].nextTitle, "HEXAHEDRON") << "a level without a title";
-  run(Match::kPauseTicks);
+  run(MatchRounds::kPauseTicks);
   EXPECT_EQ(match_.game().level().hash, ends[0].nextLevelHash);
 }
 
-TEST_F(MatchRounds, ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere) {
+TEST_F(MatchRoundsTest, ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere) {
   const LevelPointer pair = titled("For two", "# players: 2\n" + nearGoalText());
   match_ = Match(LevelRotation({far_, pair, near_}), {16, "Test"});
   const auto nextTitles = [this] {
@@ -282,7 +322,7 @@ TEST_F(MatchRounds, ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere) {
   join(2);
   run(2);
   EXPECT_EQ(nextTitles(), std::vector<std::string>{"For two"});
-  run(Match::kPauseTicks - 6);
+  run(MatchRounds::kPauseTicks - 6);
   EXPECT_EQ(match_.round(), 1u) << "the next tick would start the next round";
   match_.remove(2);
   run();
@@ -293,7 +333,7 @@ TEST_F(MatchRounds, ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere) {
   EXPECT_EQ(match_.game().level().hash, near_->hash);
 }
 
-TEST_F(MatchRounds, WhoComesAfterAllHaveLeftGetsALevelForOne) {
+TEST_F(MatchRoundsTest, WhoComesAfterAllHaveLeftGetsALevelForOne) {
   const LevelPointer pair = titled("For two", "# players: 2\n" + nearGoalText());
   match_ = Match(LevelRotation({far_, pair, near_}), {16, "Test"});
   join(1, 2);
@@ -308,4 +348,4 @@ TEST_F(MatchRounds, WhoComesAfterAllHaveLeftGetsALevelForOne) {
 }
 
 }  // namespace
-}  // namespace platon::match_rounds_test
+}  // namespace platon::rounds_test

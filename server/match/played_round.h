@@ -10,6 +10,8 @@
 #include "platon/game/game.h"
 #include "platon/game/input.h"
 #include "platon/game/recorder.h"
+#include "server/match/level_rotation.h"
+#include "server/match/updates.h"
 
 namespace platon {
 
@@ -47,6 +49,35 @@ class MatchRecorder {
   std::uint32_t ticks_ = 0;  // recorded
   std::optional<Recorder> recorder_;
   std::vector<RecordingPiece> pieces_;
+};
+
+/// The round that a match plays: its number, its game, the last ticks that were decided, and the recording.
+class PlayedRound {
+ public:
+  /// Round 1 on this level. `isRecorded`: whether rounds are.
+  PlayedRound(const LevelPointer& level, bool isRecorded);
+
+  /// Ends the round and starts the next one on this level.
+  void start(const LevelPointer& level);
+  /// Advances the game by one tick with these inputs, by slot.
+  void advance(const std::vector<Input>& inputs);
+  /// Ends the recording, if one is in progress. The next tick begins another one.
+  void endRecording() { recorder_.finish(game_); }
+  /// Pieces of recordings since the last call.
+  std::vector<RecordingPiece> takeRecording() { return recorder_.take(); }
+
+  std::uint32_t number() const { return number_; }
+  const Game& game() const { return game_; }
+  const TickHistory& history() const { return history_; }
+  /// Number of decided ticks.
+  std::uint32_t ticks() const { return history_.end(); }
+
+ private:
+  std::uint32_t number_ = 1;
+  Game game_;
+  TickHistory history_;
+  bool isRecorded_;
+  MatchRecorder recorder_;
 };
 
 }  // namespace platon

@@ -1,4 +1,6 @@
 // Which times a match offers as best times, and when it announces them.
+#include "server/match/round_times.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,7 +11,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon::match_best_times_test {
+namespace platon::round_times_test {
 namespace {
 
 /// Players who run to the goal.
@@ -19,8 +21,6 @@ class BestTimeOfMatch : public testing::Test {
   static std::string shortWayText() {
     return "HEXAHEDRON\n0 -100 -180 0\n0 0 -190\n480\n%\n-240 -200 240 -200\n-120 -200 -120 0\n%\n%\n%\n%\n%\n";
   }
-
-  BestTimeOfMatch() { network_.match().keepBestTimes(times_); }
 
   void addRunner(const std::string& name, std::uint32_t pause) {
     network_.add(FakeClient(name, 12, [pause](std::uint32_t tick) { return tick < pause ? 0 : +Input::kRight; }));
@@ -36,7 +36,8 @@ class BestTimeOfMatch : public testing::Test {
   }
 
   KeptTimes times_;
-  FakeClientNetwork network_{Match(LevelRotation({levelOf(shortWayText())}), {4, "Test"}), {.delayMs = kTickMs}};
+  FakeClientNetwork network_{Match(LevelRotation({levelOf(shortWayText())}), {4, "Test"}, {.bestTimes = &times_}),
+                             {.delayMs = kTickMs}};
 };
 
 TEST_F(BestTimeOfMatch, EachFinishIsOfferedOnceAndTheBestIsAnnounced) {
@@ -123,11 +124,11 @@ TEST_F(BestTimeOfMatch, AnAttemptThatBeginsWhenTimesCountAgainIsOfferedAlsoAfter
 }
 
 TEST_F(BestTimeOfMatch, OnAServerThatKeepsTimesOfOneThoseWithOthersEndWithIt) {
-  FakeClientNetwork network(
-      Match(LevelRotation({levelOf(shortWayText())}), {.maxPlayers = 4, .serverName = "Test", .keepsTimesOfOne = true}),
-      {.delayMs = kTickMs});
   KeptTimes times;
-  network.match().keepBestTimes(times);
+  FakeClientNetwork network(
+      Match(LevelRotation({levelOf(shortWayText())}), {.maxPlayers = 4, .serverName = "Test", .keepsTimesOfOne = true},
+            {.bestTimes = &times}),
+      {.delayMs = kTickMs});
   network.add(FakeClient("Ann", 12, [](std::uint32_t tick) { return tick < 30 ? 0 : +Input::kRight; }));
   network.add(FakeClient("Ben", 12, [](std::uint32_t tick) { return tick / 30 % 2 == 0 ? 0 : +Input::kLeft; }));
   network.run(40);
@@ -141,4 +142,4 @@ TEST_F(BestTimeOfMatch, OnAServerThatKeepsTimesOfOneThoseWithOthersEndWithIt) {
 }
 
 }  // namespace
-}  // namespace platon::match_best_times_test
+}  // namespace platon::round_times_test

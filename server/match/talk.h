@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 
@@ -9,8 +10,13 @@
 #include "protocol/chat.h"
 #include "protocol/moment.h"
 #include "protocol/token_bucket.h"
+#include "protocol/transport/socket_address.h"
+#include "server/match/match_output.h"
 
 namespace platon {
+
+class MatchPlayer;
+class MatchRoster;
 
 /// How much may be said in a match, in ticks of the match.
 class ChatBudget {
@@ -59,6 +65,26 @@ class NetworkChat {
 
   std::uint32_t speakers_;
   std::map<std::uint64_t, Network> networks_;
+};
+
+/// What players say to each other. A text is passed on to all of them, the speaker too, if its player, its household
+/// and its site may say something more, and if the operator has not muted the player.
+class MatchTalk {
+ public:
+  /// `enabled`: otherwise nobody hears anything. `playersPerHousehold`: limit of the match.
+  MatchTalk(bool enabled, std::uint32_t playersPerHousehold)
+      : enabled_(enabled), households_(playersPerHousehold), sites_(NetworkChat::kMaxSpeakers) {}
+
+  /// The player of a client says something at tick `now` of the match.
+  void say(ClientId client, MatchPlayer& speaker, const Chat& chat, const MatchRoster& roster, std::uint64_t now,
+           MatchOutput& output);
+
+ private:
+  bool mayChat(const IpAddress& address, std::uint64_t now);
+
+  bool enabled_;
+  NetworkChat households_;
+  NetworkChat sites_;
 };
 
 }  // namespace platon

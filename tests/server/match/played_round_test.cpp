@@ -1,3 +1,5 @@
+#include "server/match/played_round.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon::match_recorder_test {
+namespace platon::played_round_test {
 namespace {
 
 Match recordedMatch(const std::vector<std::string>& texts, std::uint32_t maxPlayers = 8) {
@@ -128,7 +130,7 @@ TEST(MatchRecorder, EachRoundHasARecording) {
   network.match().stop("");
   recordings.take(network.match());
   ASSERT_EQ(recordings.size(), 2u);
-  EXPECT_GE(verified(recordings.of(1)).ticks, Match::kPauseTicks);
+  EXPECT_GE(verified(recordings.of(1)).ticks, MatchRounds::kPauseTicks);
   EXPECT_EQ(sim::Verifier(recordings.of(1).bytes).game()->level().text, nearGoalText());
   EXPECT_EQ(sim::Verifier(recordings.of(2).bytes).game()->level().text, farGoalText());
   EXPECT_EQ(verified(recordings.of(2)).hash, network.match().game().hash());
@@ -201,4 +203,4 @@ TEST(MatchRecorder, RecordsTheLargestNumberOfPlayers) {
 }
 
 }  // namespace
-}  // namespace platon::match_recorder_test
+}  // namespace platon::played_round_test

@@ -1,4 +1,4 @@
-#include "server/match/player_names.h"
+#include "server/match/roster.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "protocol/label.h"
 #include "protocol/to_client.h"
 
-namespace platon::player_names_test {
+namespace platon::roster_test {
 namespace {
 
 using Names = std::map<std::uint32_t, std::string>;
@@ -174,4 +174,4 @@ TEST_F(PlayerNamesTest, AReleasedSlotIsNotMuted) {
 }
 
 }  // namespace
-}  // namespace platon::player_names_test
+}  // namespace platon::roster_test

@@ -1,0 +1,27 @@
+#include "server/match/talk.h"
+
+#include "protocol/label.h"
+#include "protocol/to_client.h"
+#include "server/match/roster.h"
+
+namespace platon {
+
+// Who is muted is not heard. The speaker, too, gets its text from the server, and so sees what was not passed on.
+void MatchTalk::say(ClientId client, MatchPlayer& speaker, const Chat& chat, const MatchRoster& roster,
+                    std::uint64_t now, MatchOutput& output) {
+  if (!enabled_) return;
+  const Chat said{visibleLabel(chat.text), chat.emote};
+  if (!isChat(said) || roster.names().isMuted(speaker.slot())) return;
+  if (!speaker.mayChat(now) || !mayChat(speaker.address(), now)) return;
+  roster.sendAll(encode(PlayerChat{speaker.slot(), said}), output);
+  if (said.emote == 0) output.add(MatchEvent::Kind::kChat, client, speaker.slot(), said.text);
+}
+
+// An owner of many households, as every connection to the internet by IPv6 has them, must not send everybody texts
+// without end. Household 0 has no limit of players, so it has none but the limit of a site.
+bool MatchTalk::mayChat(const IpAddress& address, std::uint64_t now) {
+  const bool isWithin = address.household() == 0 || households_.take(address.household(), now);
+  return isWithin && sites_.take(address.site(), now);
+}
+
+}  // namespace platon
