@@ -19,15 +19,14 @@ ClientGate::ClientGate(std::unique_ptr<DatagramSocket> socket, std::vector<Socke
 void ClientGate::update(Moment now) {
   if (state_ != State::kHandshake || (sentAt_ && now - *sentAt_ < kRepeatInterval)) return;
   sentAt_ = now;
-  for (const SocketAddress& server : servers_) sendPlain(server, request_, now);
+  for (const SocketAddress& server : servers_) socket_.send(server, request_, now);
 }
 
 std::optional<Bytes> ClientGate::receive(Moment now) {
   for (; left_ > 0; --left_) {
-    const std::optional<Datagram> datagram = socket_->receive(now);
+    const std::optional<Datagram> datagram = socket_.receive(now);
     if (!datagram) return std::nullopt;
     const std::size_t size = datagram->bytes.size();
-    traffic_.addReceived(size);
     if (size == 0 || size > kMaxDatagramBytes || !isServer(datagram->peer)) continue;
     if (std::optional<Bytes> content = take(*datagram, now)) return content;
   }
@@ -73,7 +72,7 @@ void ClientGate::takeCookie(const SocketAddress& server, const CookieReply& repl
   request_ = encode(open);
   servers_ = {server};
   sentAt_ = now;
-  sendPlain(server, request_, now);
+  socket_.send(server, request_, now);
 }
 
 void ClientGate::takeAccept(const Accept& accept) {
@@ -108,16 +107,11 @@ std::optional<Bytes> ClientGate::takeSealed(ByteSpan datagram, Moment now) {
 
 void ClientGate::send(ByteSpan content, Moment now) {
   if (!channel_ || content.size() + SealedChannel::kOverhead > kMaxDatagramBytes) return;
-  sendPlain(servers_.front(), channel_->seal(content), now);
+  socket_.send(servers_.front(), channel_->seal(content), now);
 }
 
 void ClientGate::sendControl(ByteSpan content, Moment now) {
-  if (channel_) sendPlain(servers_.front(), channel_->seal(content, true), now);
-}
-
-void ClientGate::sendPlain(const SocketAddress& server, ByteSpan bytes, Moment now) {
-  traffic_.addSent(bytes.size());
-  socket_->send(server, bytes, now);
+  if (channel_) socket_.send(servers_.front(), channel_->seal(content, true), now);
 }
 
 }  // namespace platon

@@ -50,7 +50,7 @@ class ClientGate {
   void send(ByteSpan content, Moment now);
   /// The same for the transport itself.
   void sendControl(ByteSpan content, Moment now);
-  void flush(Moment now) { socket_->flush(now); }
+  void flush(Moment now) { socket_.flush(now); }
 
   State state() const { return state_; }
   const std::optional<Refusal>& refusal() const { return refusal_; }
@@ -58,8 +58,8 @@ class ClientGate {
   const std::optional<CryptoKey>& identity() const { return identity_; }
   /// The server's address; the first one until one has answered.
   const SocketAddress& server() const { return servers_.front(); }
-  DatagramSocket& socket() { return *socket_; }
-  const Traffic& traffic() const { return traffic_; }
+  DatagramSocket& socket() const { return socket_.socket(); }
+  const Traffic& traffic() const { return socket_.traffic(); }
 
  private:
   std::optional<Bytes> take(const Datagram& datagram, Moment now);
@@ -69,9 +69,8 @@ class ClientGate {
   void takeRefusal(const Refusal& refusal);
   std::optional<Bytes> takeSealed(ByteSpan datagram, Moment now);
   bool isServer(const SocketAddress& address) const;
-  void sendPlain(const SocketAddress& server, ByteSpan bytes, Moment now);
 
-  std::unique_ptr<DatagramSocket> socket_;
+  CountedSocket socket_;
   std::vector<SocketAddress> servers_;
   ServerKnowledge knowledge_;
   KeyPair ephemeral_;
@@ -83,7 +82,6 @@ class ClientGate {
   std::optional<Refusal> refusal_;
   std::optional<SealedChannel> channel_;
   std::size_t left_ = kMaxDatagramsPerRound;  // datagrams of this round
-  Traffic traffic_;
 };
 
 }  // namespace platon

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "protocol/moment.h"
 #include "protocol/transport/noise.h"
@@ -67,6 +70,30 @@ struct Traffic {
     return {a.sentBytes - b.sentBytes, a.sentPackets - b.sentPackets, a.receivedBytes - b.receivedBytes,
             a.receivedPackets - b.receivedPackets, a.longestDatagram};
   }
+};
+
+/// A socket, and the traffic over it.
+class CountedSocket {
+ public:
+  explicit CountedSocket(std::unique_ptr<DatagramSocket> socket) : socket_(std::move(socket)) {}
+
+  std::optional<Datagram> receive(Moment now) {
+    std::optional<Datagram> datagram = socket_->receive(now);
+    if (datagram) traffic_.addReceived(datagram->bytes.size());
+    return datagram;
+  }
+  void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) {
+    traffic_.addSent(bytes.size());
+    socket_->send(receiver, bytes, now);
+  }
+  void flush(Moment now) { socket_->flush(now); }
+
+  DatagramSocket& socket() const { return *socket_; }
+  const Traffic& traffic() const { return traffic_; }
+
+ private:
+  std::unique_ptr<DatagramSocket> socket_;
+  Traffic traffic_;
 };
 
 }  // namespace platon

@@ -113,15 +113,27 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
                                  std::vector<LevelPointer> levels, Log log)
     : log_(std::move(log)),
       identity_(settings.identity ? *settings.identity : ServerIdentity::random()),
-      host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow())),
+      host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow()), hostRules()),
       bestTimeFile_(settings.bestTimes),
       bestTimes_(bestTimesOf(settings.bestTimes)),
       match_(LevelRotation(std::move(levels), settings.start), matchSettings(settings), matchProgram()),
       clock_(steadyNow()),
       nextLogAt_(steadyNow() + kRejectedLogInterval) {
-  host_.setMoveCheck([this](ClientId client, const IpAddress& to) { return match_.move(client, to); });
   if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
   updateInfo();
+}
+
+HostRules DedicatedServer::hostRules() {
+  HostRules rules;
+  rules.ban = [this](const IpAddress& address) {
+    const Ban* const ban = banOf(address);
+    return ban ? std::optional(refusalOf(*ban)) : std::nullopt;
+  };
+  rules.banned = [this](const IpAddress& address) {
+    if (const Ban* const ban = banOf(address)) logBanned(address, *ban);
+  };
+  rules.mayMove = [this](ClientId client, const IpAddress& to) { return match_.move(client, to); };
+  return rules;
 }
 
 MatchProgram DedicatedServer::matchProgram() {
@@ -182,7 +194,7 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   if (!host_.isOpen(event.client)) return;
   const auto message = decodeToServer(event.bytes);
   if (!message) {
-    ++malformedMessages_;
+    ++host_.rejections().message;
     match_.remove(event.client);
     return sendLast(event.client, encode(Bye{ByeCode::kRemoved, "your client sent a malformed message"}), now);
   }
@@ -204,21 +216,10 @@ void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> me
 bool DedicatedServer::refusesBanned(ClientId client, const IpAddress& address, TimePoint now) {
   const Ban* const ban = banOf(address);
   if (!ban) return false;
-  ++bannedClients_;
+  ++host_.rejections().banned;
   logBanned(address, *ban);
   sendLast(client, encode(Refused{RefusalCode::kOther, refusalOf(*ban)}), now);
   return true;
-}
-
-void DedicatedServer::refuseBanned(const BanList& bans) {
-  bans_ = &bans;
-  const auto check = [this](const IpAddress& address) {
-    const Ban* const ban = banOf(address);
-    return ban ? std::optional(refusalOf(*ban)) : std::nullopt;
-  };
-  host_.gate().setBanCheck(check, [this](const IpAddress& address) {
-    if (const Ban* const ban = banOf(address)) logBanned(address, *ban);
-  });
 }
 
 // The ban that the address is under; null if there is none.
@@ -279,7 +280,7 @@ void DedicatedServer::logBestTimes(const std::optional<std::string>& fault) {
 void DedicatedServer::logRejected(TimePoint now) {
   if (now < nextLogAt_) return;
   nextLogAt_ = now + kRejectedLogInterval;
-  const std::vector<Rejection> rejected = rejections();
+  const std::vector<Rejection> rejected = host_.rejections().list();
   std::vector<LogField> fields;
   for (std::size_t i = 0; i < rejected.size(); ++i) {
     const std::uint64_t before = logged_.empty() ? 0 : logged_[i].count;
@@ -295,13 +296,6 @@ void DedicatedServer::logDropped(TimePoint now) {
   if (droppedTicks_ == loggedDroppedTicks_ || now < nextDroppedLogAt_) return;
   nextDroppedLogAt_ = now + kRejectedLogInterval;
   log_.warning("ticks dropped", {{"ticks", droppedTicks_ - std::exchange(loggedDroppedTicks_, droppedTicks_)}});
-}
-
-std::vector<Rejection> DedicatedServer::rejections() const {
-  std::vector<Rejection> rejected = host_.rejections();
-  for (Rejection& each : rejected) each.count += each.reason == "banned" ? bannedClients_ : 0;
-  rejected.push_back({"message", malformedMessages_});
-  return rejected;
 }
 
 // In a flood, the system's buffer does not hold what arrives in a whole tick.

@@ -68,7 +68,7 @@ class DedicatedServer {
   void setName(std::string_view name);
   /// From now on refuses clients whose address is banned, and tells the log of some (BanNotices). The list must outlive
   /// the server.
-  void refuseBanned(const BanList& bans);
+  void refuseBanned(const BanList& bans) { bans_ = &bans; }
   /// Sets the clock by which `run` and `stop` go; it never decreases, and while it stands still no tick passes. Without
   /// it, they go by the monotonic clock of the system.
   void setClock(std::function<TimePoint()> now) { now_ = std::move(now); }
@@ -81,11 +81,7 @@ class DedicatedServer {
   const ServerIdentity& identity() const { return identity_; }
   Log& log() { return log_; }
   const Match& match() const { return match_; }
-  /// All that was rejected so far, by reason; the last one is messages that were malformed.
-  std::vector<Rejection> rejections() const;
   Match& match() { return match_; }
-  /// Number of malformed messages received.
-  std::uint64_t malformedMessages() const { return malformedMessages_; }
   const Host& host() const { return host_; }
   /// Durations of the steps that ran a tick: receiving, advancing the game, sending.
   const TickTimes& tickTimes() const { return tickTimes_; }
@@ -103,6 +99,7 @@ class DedicatedServer {
   static constexpr std::chrono::milliseconds kIdleWait{250};
 
  private:
+  HostRules hostRules();
   MatchProgram matchProgram();
   // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or idleWait_ has
   // passed. In a flood it sleeps only shortly.
@@ -133,9 +130,7 @@ class DedicatedServer {
   TickClock clock_;
   const BanList* bans_ = nullptr;  // null: nobody is banned
   BanNotices banNotices_;
-  std::uint64_t bannedClients_ = 0;  // whose address was banned after they had connected
-  TimePoint receivedAt_{};           // the last time of `receive`
-  std::uint64_t malformedMessages_ = 0;
+  TimePoint receivedAt_{};                // the last time of `receive`
   std::uint64_t receivedBeforeTick_ = 0;  // datagrams up to the last tick
   bool flooded_ = false;                  // many datagrams came between the last two ticks
   std::vector<Rejection> logged_;         // at the last logRejected

@@ -28,7 +28,7 @@ Samples tickTimes(const TickTimes& all, const TickTimes& recent) {
 
 Samples drops(const DedicatedServer& server) {
   Samples samples;
-  for (const Rejection& each : server.rejections())
+  for (const Rejection& each : server.host().rejections().list())
     samples.push_back({std::to_string(each.count), {{"reason", std::string(each.reason)}}, {}});
   return samples;
 }

@@ -73,8 +73,8 @@ Host::Connection::Connection(Moment now, SessionId own)
 }
 
 Host::Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
-           Moment now)
-    : gate_(std::move(socket), identity, gateSettings(settings), now),
+           Moment now, HostRules rules)
+    : gate_(std::move(socket), identity, gateSettings(settings), now, gateRules(std::move(rules))),
       host_(createEnetHost(settings.connections, randombytes_random()), enet_host_destroy),
       connections_(settings.connections, Connection(now)),
       now_(now) {
@@ -84,6 +84,19 @@ Host::Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identit
 }
 
 Host::~Host() = default;
+
+// A session that is no client yet may move.
+GateRules Host::gateRules(HostRules rules) {
+  GateRules gate{std::move(rules.ban), std::move(rules.banned), {}};
+  if (!rules.mayMove) return gate;
+  gate.mayMove = [this, mayMove = std::move(rules.mayMove)](SessionId session, const IpAddress& address) {
+    const auto found = std::find_if(connections_.begin(), connections_.end(), [session](const Connection& connection) {
+      return connection.client && connection.session == session;
+    });
+    return found == connections_.end() || mayMove(*found->client, address);
+  };
+  return gate;
+}
 
 void Host::sendFromEnet(const ENetAddress& session, ByteSpan bytes) { gate_.send(fromEnet(session), bytes, now_); }
 
@@ -104,7 +117,7 @@ bool Host::accepts(SessionId session, Bytes& content) {
                       fromEnet(host_->peers[commands->peer].address) == session &&
                       areSequencesNear(*commands, host_->peers[commands->peer]);
   if (!isPeer) {
-    ++counters_.content;
+    ++rejections().content;
     return false;
   }
   Connection& connection = connections_[commands->peer];
@@ -124,7 +137,7 @@ bool Host::acceptsConnect(SessionId session, std::uint32_t connectId, std::size_
   if (peer.state != ENET_PEER_STATE_DISCONNECTED && peer.connectID == connectId) {
     charge(*found, bytes);
   } else {
-    ++counters_.content;
+    ++rejections().content;
   }
   return false;
 }
@@ -142,7 +155,7 @@ bool Host::begin(SessionId session, std::size_t bytes) {
 // False if the connection has sent more than it may.
 bool Host::charge(Connection& connection, std::size_t bytes) {
   const bool within = connection.datagrams.take(1, now_) && connection.bytes.take(static_cast<double>(bytes), now_);
-  if (!within) ++counters_.excess;
+  if (!within) ++rejections().excess;
   return within;
 }
 
@@ -253,17 +266,17 @@ bool Host::hasTimedOut(const Connection& connection) {
   const bool isSlow = std::any_of(connection.outstanding.begin(), connection.outstanding.end(),
                                   [&](const Outstanding& each) { return now_ - each.since >= kMaxUnacknowledged; });
   if (isSlow) {
-    ++counters_.slow;
+    ++rejections().slow;
     return true;
   }
   if (connection.admitted) {
     const bool isSilent = now_ - connection.receivedAt >= kSilenceTimeout;
-    counters_.silent += isSilent ? 1 : 0;
+    rejections().silent += isSilent ? 1 : 0;
     return isSilent;
   }
   const bool isIdle =
       now_ - connection.since >= (connection.client && !connection.closing ? kAdmissionTime : kAnswerTime);
-  counters_.idle += isIdle && !connection.closing ? 1 : 0;
+  rejections().idle += isIdle && !connection.closing ? 1 : 0;
   return isIdle;
 }
 
@@ -292,7 +305,7 @@ void Host::send(ClientId client, bool reliable, std::span<const std::uint8_t> me
   if (!index) return;
   if (!reliable || roomOf(host_->peers[*index]) > 0) return sendMessage(host_->peers[*index], message, reliable);
   if (connections_[*index].closing) return;
-  ++counters_.slow;
+  ++rejections().slow;
   connections_[*index].closing = true;
   slow_.push_back(client);
 }
@@ -331,28 +344,9 @@ IpAddress Host::addressOf(ClientId client) const {
   return index ? gate_.addressOf(connections_[*index].session) : IpAddress{};
 }
 
-// A session that is no client yet may move.
-void Host::setMoveCheck(std::function<bool(ClientId, const IpAddress&)> check) {
-  gate_.setMoveCheck([this, check = std::move(check)](SessionId session, const IpAddress& address) {
-    const auto found = std::find_if(connections_.begin(), connections_.end(), [session](const Connection& connection) {
-      return connection.client && connection.session == session;
-    });
-    return found == connections_.end() || check(*found->client, address);
-  });
-}
-
 bool Host::isOpen(ClientId client) const {
   const auto index = indexOf(client);
   return index && !connections_[*index].closing;
-}
-
-std::vector<Rejection> Host::rejections() const {
-  const GateCounters& gate = gate_.counters();
-  return {{"malformed", gate.malformed},     {"version", gate.version},      {"cookie", gate.cookie},
-          {"handshakes", gate.handshakes},   {"password", gate.password},    {"full", gate.full},
-          {"banned", gate.banned},           {"queries", gate.queries},      {"seal", gate.seal},
-          {"unconfirmed", gate.unconfirmed}, {"content", counters_.content}, {"excess", counters_.excess},
-          {"idle", counters_.idle},          {"silent", counters_.silent},   {"slow", counters_.slow}};
 }
 
 bool Host::empty() const {

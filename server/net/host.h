@@ -6,12 +6,13 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "protocol/token_bucket.h"
 #include "protocol/transport/enet_calls.h"
+#include "protocol/transport/rejections.h"
 #include "protocol/transport/server_gate.h"
 #include "server/base/client_id.h"
 
@@ -24,23 +25,12 @@ struct HostSettings {
   bool needsPassword = false;
 };
 
-/// Traffic that `Host` has rejected so far, beside what its gate has rejected.
-struct HostCounters {
-  std::uint64_t content = 0;  ///< sealed datagrams with something that no client of ours sends
-  std::uint64_t excess = 0;   ///< datagrams beyond the budget of their connection
-  std::uint64_t idle = 0;     ///< connections that were not admitted in time
-  std::uint64_t silent = 0;   ///< admitted connections from which nothing came
-  std::uint64_t slow = 0;     ///< connections that did not acknowledge what was sent
-
-  friend bool operator==(const HostCounters&, const HostCounters&) = default;
-};
-
-/// Number of rejections for one reason.
-struct Rejection {
-  std::string_view reason;  ///< one word, for logs and metrics
-  std::uint64_t count = 0;
-
-  friend bool operator==(const Rejection&, const Rejection&) = default;
+/// What the program around a host decides about addresses. A function that is empty refuses nobody.
+struct HostRules {
+  std::function<std::optional<std::string>(const IpAddress&)> ban{};  ///< as in GateRules
+  std::function<void(const IpAddress&)> banned{};                     ///< as in GateRules
+  /// Decides whether a client may move to another address.
+  std::function<bool(ClientId, const IpAddress&)> mayMove{};
 };
 
 /// A message from a client, or the end of its connection.
@@ -67,8 +57,8 @@ class Host : private EnetPort {
   static constexpr std::chrono::seconds kMaxUnacknowledged{10};
 
   /// Throws SocketError if ENet cannot be used.
-  Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
-       Moment now);
+  Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings, Moment now,
+       HostRules rules = {});
   ~Host() override;
 
   /// Receives what has arrived, ends connections that have timed out, and returns the events. They are valid until the
@@ -97,15 +87,13 @@ class Host : private EnetPort {
   const ServerGate& gate() const { return gate_; }
   /// Where the client is now; `IpAddress{}` if it is disconnected.
   IpAddress addressOf(ClientId client) const;
-  /// Decides whether a client may move to another address (ServerGate::MoveCheck).
-  void setMoveCheck(std::function<bool(ClientId, const IpAddress&)> check);
   /// False if the client is disconnected or its connection is closing.
   bool isOpen(ClientId client) const;
   /// Whether no client is connected or connecting.
   bool empty() const;
-  const HostCounters& counters() const { return counters_; }
-  /// All that the host and its gate have rejected so far. The reasons and their order are always the same.
-  std::vector<Rejection> rejections() const;
+  /// All that the gate and the host have rejected so far, and what those behind them add.
+  Rejections& rejections() { return gate_.rejections(); }
+  const Rejections& rejections() const { return gate_.rejections(); }
 
  private:
   // A command that waits for its acknowledgement.
@@ -135,6 +123,7 @@ class Host : private EnetPort {
 
   using Packet = std::unique_ptr<ENetPacket, void (*)(ENetPacket*)>;
 
+  GateRules gateRules(HostRules rules);
   void sendFromEnet(const ENetAddress& session, ByteSpan bytes) override;
   std::optional<Received> receiveForEnet() override;
   bool accepts(SessionId session, Bytes& content);
@@ -159,7 +148,6 @@ class Host : private EnetPort {
   std::vector<HostEvent> events_;                      // of the last call of `service`
   std::vector<Packet> packets_;                        // with the messages of these
   ClientId nextClient_ = 1;
-  HostCounters counters_;
   Moment now_;     // of the present call
   Bytes content_;  // the last one handed to ENet
 };

@@ -40,9 +40,10 @@ HandshakeWorld::HandshakeWorld(const Setup& setup) : setup_(setup), ownKeys_(Key
   network_.setFilter([](const auto&) { return false; });
   if (setup.needsPassword) presharedKey_.fill(7);
   gate_.emplace(network_.socket(server()), identity_,
-                GateSettings{setup.sessions, setup.sessionsPerHousehold, presharedKey_, setup.needsPassword}, now_);
-  gate_->setBanCheck(
-      [this](const IpAddress&) { return banned_ ? std::optional<std::string>("a reason") : std::nullopt; });
+                GateSettings{setup.sessions, setup.sessionsPerHousehold, presharedKey_, setup.needsPassword}, now_,
+                GateRules{.ban = [this](const IpAddress&) {
+                  return banned_ ? std::optional<std::string>("a reason") : std::nullopt;
+                }});
   clients_.resize(kClients);
   for (std::size_t i = 0; i < kClients; ++i) startClient(clients_[i], addresses()[i]);
 }
@@ -82,8 +83,8 @@ void HandshakeWorld::sendFromServer(std::size_t number, std::size_t bytes) {
   const platon::Bytes content = nextContent(bytes);
   const std::size_t before = sent().size();
   gate_->send(session.id, content, now_);
-  const bool mayHoldBack = (session.strayedAt && now_ - *session.strayedAt >= ServerGate::kUnconfirmedPathTime) ||
-                           now_ - session.shownAt >= ServerGate::kShownAddressTime;
+  const bool mayHoldBack = (session.strayedAt && now_ - *session.strayedAt >= ServerSessions::kUnconfirmedPathTime) ||
+                           now_ - session.shownAt >= ServerSessions::kShownAddressTime;
   const bool hasSent = sent().size() == before + 1;
   require(gate_->isOpen(session.id) ? hasSent || mayHoldBack : !hasSent,
           "the server sends to a session that has ended, or nothing to a client that has not moved");

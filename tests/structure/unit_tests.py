@@ -19,7 +19,6 @@ EXCEPTIONS = {
     "client/play/main.cpp": "tests/net/programs runs platon-client",
     "client/play/offscreen/offscreen_play.cpp": "tests/net/programs runs platon-client --offscreen",
     "levels/tool/main.cpp": "level_check_test runs platon-level",
-    "protocol/transport/server_gate_handshake.cpp": "a part of the gate: server_gate_test",
     "server/app/main.cpp": "server_program_test runs platon-server",
 }
 

@@ -51,7 +51,7 @@ class PlayingBots : public testing::Test {
       EXPECT_EQ(result.round.desyncs, 0u);
       EXPECT_EQ(result.round.resyncs, 0u);
     }
-    EXPECT_EQ(server_.server().malformedMessages(), 0u);
+    EXPECT_EQ(server_.server().host().rejections().message, 0u);
   }
 
   LoopbackServer server_;
@@ -116,7 +116,7 @@ TEST_F(HollowBotTest, PlaysUnderSimulatedNetworkConditions) {
   EXPECT_GE(result.connectMs, 160);  // connection and Hello
   EXPECT_GT(result.traffic.sentBytes, 0u);
   EXPECT_EQ(server_.server().match().players(), 1u);
-  EXPECT_EQ(server_.server().malformedMessages(), 0u);
+  EXPECT_EQ(server_.server().host().rejections().message, 0u);
 }
 
 TEST_F(HollowBotTest, LeaveRemovesThePlayer) {

@@ -58,7 +58,8 @@ class ConnectionTest : public testing::Test {
   DatagramNetwork network_;
   Moment now_ = std::chrono::seconds(1000);
   ServerIdentity identity_ = ServerIdentity::random();
-  Host host_{network_.socket(kServer), identity_, {}, now_};
+  std::optional<std::string> ban_;  // why nobody may join
+  Host host_{network_.socket(kServer), identity_, {}, now_, {.ban = [this](const IpAddress&) { return ban_; }}};
   Connection connection_{network_.socket(kClient), {kServer}, {}};
   ClientId client_ = 0;
   int disconnects_ = 0;
@@ -95,7 +96,7 @@ TEST_F(ConnectionTest, NothingFromOutsideEndsIt) {
 }
 
 TEST_F(ConnectionTest, SaysWhyTheServerRefusesIt) {
-  host_.gate().setBanCheck([](const IpAddress&) { return "banned for a day"; });
+  ban_ = "banned for a day";
   ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kClosed; }));
   ASSERT_TRUE(connection_.refused());
   EXPECT_EQ(connection_.refused()->reason, "banned for a day");

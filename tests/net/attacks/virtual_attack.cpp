@@ -208,7 +208,7 @@ class Scene {
     damage_.rounds = server_.server().match().round();
     damage_.sent = attackNetwork_.sent();
     countAnswers();
-    for (const Rejection& rejection : server_.server().rejections()) {
+    for (const Rejection& rejection : server_.server().host().rejections().list()) {
       const bool held = rejection.reason == "unconfirmed" || rejection.reason == "idle" || rejection.reason == "full";
       damage_.heldPlaces += held ? rejection.count : 0;
       damage_.rejected[std::string(rejection.reason)] = rejection.count;

@@ -169,7 +169,7 @@ void Soak::complete() {
   report_.ticks = server_->server().tickTimes().count();
   report_.counts = {};
   report_.desyncs = server_->server().desyncs();
-  for (const Rejection& rejection : server_->server().rejections()) {
+  for (const Rejection& rejection : server_->server().host().rejections().list()) {
     if (rejection.count > 0) report_.rejected[std::string(rejection.reason)] = rejection.count;
   }
   for (const auto& bot : bots_) {

@@ -86,7 +86,7 @@ TEST_F(ClientGateTest, AnIdentityMustBeProved) {
   network_.inject(kServer, kClient, encode(*reply));
   gate.receive(now_);
   fake.receive(now_);
-  EXPECT_EQ(fake.counters().password, 1u);  // it cannot read what the client sends
+  EXPECT_EQ(fake.rejections().password, 1u);  // it cannot read what the client sends
   network_.inject(kServer, kClient, encode(Accept{echoOf(ephemeral_.open), {}}));
   gate.receive(now_);
   EXPECT_EQ(gate.state(), ClientGate::State::kHandshake);

@@ -25,7 +25,7 @@ TEST_F(ServerGateTest, AClientJoinsAndContentsPassBothWays) {
   gate_->close(session);
   client.send(kContent, now_);
   EXPECT_TRUE(receive().empty());
-  EXPECT_EQ(gate_->counters().seal, 1u);
+  EXPECT_EQ(gate_->rejections().seal, 1u);
 }
 
 // The session after number 2^32 - 1 had the number of no session: it passed contents and could not be closed.
@@ -67,7 +67,7 @@ TEST_F(ServerGateTest, AClientOfAnotherVersionIsToldTheServers) {
   EXPECT_EQ(refusal->reason, RefusalReason::kWrongVersion);
   EXPECT_EQ(refusal->version, kProtocolVersion);
   EXPECT_EQ(refusal->echo, echoOf(key));
-  EXPECT_EQ(gate_->counters().version, 1u);
+  EXPECT_EQ(gate_->rejections().version, 1u);
 }
 
 TEST_F(ServerGateTest, ACookieOfAnotherAddressIsWorthless) {
@@ -79,7 +79,7 @@ TEST_F(ServerGateTest, ACookieOfAnotherAddressIsWorthless) {
   network_.inject(clientAt(2), kServer, open);
   receive();
   EXPECT_EQ(network_.sent().size(), before);
-  EXPECT_EQ(gate_->counters().cookie, 1u);
+  EXPECT_EQ(gate_->rejections().cookie, 1u);
 }
 
 TEST_F(ServerGateTest, ARepeatedOpenGetsTheSameAcceptAndNoSecondSession) {
@@ -98,7 +98,7 @@ TEST_F(ServerGateTest, ARepeatedOpenGetsTheSameAcceptAndNoSecondSession) {
   network_.inject(clientAt(1), kServer, open);
   receive();
   EXPECT_EQ(sent(kServer, clientAt(1)).size(), 3u);  // a recorded handshake opens no session
-  EXPECT_EQ(gate_->counters().cookie, 1u);
+  EXPECT_EQ(gate_->rejections().cookie, 1u);
 }
 
 TEST_F(ServerGateTest, OnlyWhoKnowsThePasswordJoins) {
@@ -109,7 +109,7 @@ TEST_F(ServerGateTest, OnlyWhoKnowsThePasswordJoins) {
   ASSERT_EQ(wrong.state(), ClientGate::State::kRefused);
   EXPECT_EQ(wrong.refusal()->reason, RefusalReason::kPassword);
   EXPECT_EQ(join(clientAt(3), "sesame").state(), ClientGate::State::kOpen);
-  EXPECT_EQ(gate_->counters().password, 1u);
+  EXPECT_EQ(gate_->rejections().password, 1u);
 }
 
 TEST_F(ServerGateTest, AClientWithAPasswordDoesNotJoinAServerThatAsksForNone) {
@@ -139,17 +139,17 @@ TEST_F(ServerGateTest, ASessionIsChallengedAtMostTenTimesASecond) {
 TEST_F(ServerGateTest, ABannedAddressIsToldWhy) {
   start();
   std::vector<IpAddress> noticed;
-  const auto check = [](const IpAddress& ip) {
+  rules_.ban = [](const IpAddress& ip) {
     return ip == clientAt(1).ip ? std::optional<std::string>("until tomorrow") : std::nullopt;
   };
-  gate_->setBanCheck(check, [&noticed](const IpAddress& ip) { noticed.push_back(ip); });
+  rules_.banned = [&noticed](const IpAddress& ip) { noticed.push_back(ip); };
   ClientGate client = join(clientAt(1));
   ASSERT_EQ(client.state(), ClientGate::State::kRefused);
   EXPECT_EQ(client.refusal()->reason, RefusalReason::kBanned);
   EXPECT_EQ(client.refusal()->text, "until tomorrow");
   EXPECT_EQ(join(clientAt(2)).state(), ClientGate::State::kOpen);
   EXPECT_EQ(noticed, std::vector{clientAt(1).ip});
-  EXPECT_EQ(gate_->counters().banned, 1u);
+  EXPECT_EQ(gate_->rejections().banned, 1u);
 }
 
 // Anybody can write the address of somebody else into a datagram.
@@ -159,10 +159,10 @@ TEST_F(ServerGateTest, AForgedBannedAddressCausesNoNotice) {
   ClientGate client = join(clientAt(1));
   sessionOf(client);
   const SocketAddress banned = addressAt("203.0.113.9", 999);
-  const auto check = [&](const IpAddress& ip) {
+  rules_.ban = [&](const IpAddress& ip) {
     return ip == banned.ip ? std::optional<std::string>("until tomorrow") : std::nullopt;
   };
-  gate_->setBanCheck(check, [&notices](const IpAddress&) { ++notices; });
+  rules_.banned = [&notices](const IpAddress&) { ++notices; };
   network_.setFilter([](const auto& each) { return each.to != kServer; });
   client.send(kContent, now_);
   network_.inject(banned, kServer, network_.sent().back().bytes);
@@ -173,7 +173,7 @@ TEST_F(ServerGateTest, AForgedBannedAddressCausesNoNotice) {
   receive();
   EXPECT_EQ(sent(kServer, banned).size(), 1u);  // a cookie, and no challenge
   EXPECT_EQ(notices, 0u);
-  EXPECT_EQ(gate_->counters().banned, 0u);
+  EXPECT_EQ(gate_->rejections().banned, 0u);
 }
 
 // Routers give a connection another port from time to time.
@@ -215,15 +215,15 @@ TEST_F(ServerGateTest, AClientIsNotFollowedToAnAddressThatIsBannedSinceTheChalle
   client.send(kContent, now_);
   network_.inject(moved, kServer, network_.sent().back().bytes);
   EXPECT_EQ(receive().size(), 1u);
-  gate_->setBanCheck([&](const IpAddress& ip) {
+  rules_.ban = [&](const IpAddress& ip) {
     return ip == moved.ip ? std::optional<std::string>("until tomorrow") : std::nullopt;
-  });
+  };
   network_.inject(kServer, clientAt(1), sent(kServer, moved).at(0));
   client.receive(now_);
   network_.inject(moved, kServer, network_.sent().back().bytes);
   receive();
   EXPECT_EQ(gate_->addressOf(session), clientAt(1).ip);
-  EXPECT_EQ(gate_->counters().banned, 1u);
+  EXPECT_EQ(gate_->rejections().banned, 1u);
 }
 
 TEST_F(ServerGateTest, ADatagramFromElsewhereDoesNotDirectTheServerThere) {
@@ -289,7 +289,7 @@ TEST_F(ServerGateTest, AddressesThatCannotBeAnsweredAreIgnored) {
   for (const SocketAddress& sender : senders) network_.inject(sender, kServer, knock);
   receive();
   EXPECT_TRUE(network_.sent().empty());
-  EXPECT_EQ(gate_->counters().malformed, 6u);
+  EXPECT_EQ(gate_->rejections().malformed, 6u);
 }
 
 TEST_F(ServerGateTest, SealedDatagramsThatWereChangedRepeatedOrMadeUpAreRefused) {

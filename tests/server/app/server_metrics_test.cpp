@@ -108,7 +108,7 @@ TEST_F(ServerMetricsTest, TheManualListsEveryReasonOfADrop) {
   const std::string page = readText("docs/hosting.md");
   const std::size_t begin = page.find("| `platon_drops_total`");
   const std::string row = page.substr(begin, page.find('\n', begin) - begin);
-  for (const Rejection& each : server_.rejections())
+  for (const Rejection& each : server_.host().rejections().list())
     EXPECT_NE(row.find("`" + std::string(each.reason) + "`"), std::string::npos) << each.reason;
 }
 

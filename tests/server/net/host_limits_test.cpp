@@ -67,7 +67,7 @@ TEST_F(UnacknowledgedTest, AcknowledgementsOfWhatWasNeverSentKeepNoConnectionOpe
   acknowledge(40000);
   ASSERT_EQ(host_.service(said + 10s).size(), 1u);
   EXPECT_TRUE(host_.empty());
-  EXPECT_EQ(host_.counters().slow, 1u);
+  EXPECT_EQ(host_.rejections().slow, 1u);
 }
 
 TEST_F(UnacknowledgedTest, TheTimeInAnAcknowledgementOfWhatWasNeverSentIsNotBelieved) {
@@ -99,7 +99,7 @@ TEST_F(UnacknowledgedTest, AConnectionEndsTenSecondsAfterItsOldestMessageWasSent
     ASSERT_TRUE(host_.service(now_).empty()) << (now_ - said) / 1ms << " ms";
   }
   ASSERT_EQ(host_.service(said + 10s).size(), 1u);
-  EXPECT_EQ(host_.counters().slow, 1u);
+  EXPECT_EQ(host_.rejections().slow, 1u);
 }
 
 // 4 096 bytes, then 384 a second, 1 536 of them at once, each message with 26 bytes more.
@@ -162,19 +162,19 @@ TEST_F(HostLimitsTest, ASessionWhoseConnectionHasEndedGetsNoOther) {
     eve_.send(connectContent(id), now_);
   }
   host_.service(now_);
-  EXPECT_EQ(host_.counters().content, 10u);
+  EXPECT_EQ(host_.rejections().content, 10u);
   EXPECT_TRUE(host_.empty());
-  const std::uint64_t before = host_.gate().counters().seal;
+  const std::uint64_t before = host_.rejections().seal;
   eve_.send(connectContent(200), now_);
   host_.service(now_);
-  EXPECT_EQ(host_.gate().counters().seal, before + 1) << "the session has ended too";
+  EXPECT_EQ(host_.rejections().seal, before + 1) << "the session has ended too";
 }
 
 TEST_F(HostLimitsTest, ARequestToConnectIsChargedToItsConnection) {
   eve_.join(host_, now_);
   for (int i = 0; i < 301; ++i) eve_.send(connectContent(77), now_);
   host_.service(now_);
-  EXPECT_EQ(host_.counters().excess, 1u);
+  EXPECT_EQ(host_.rejections().excess, 1u);
 }
 
 // It began with the budget that the one before had used up.
@@ -186,19 +186,19 @@ TEST_F(HostLimitsTest, AConnectionInheritsNothingOfTheOneBeforeInItsPlace) {
   eve_.step(host_, now_);
   for (int i = 0; i < 299; ++i) eve_.send(pingContent(eve_.peer()), now_);
   host_.service(now_);
-  EXPECT_EQ(host_.counters().excess, 0u);
+  EXPECT_EQ(host_.rejections().excess, 0u);
   now_ += 10ms;
   eve_.send(disconnectContent(eve_.peer()), now_);
   mallory.send(connectContent(78), now_);
   mallory.step(host_, now_);
   for (int i = 0; i < 290; ++i) mallory.send(pingContent(mallory.peer()), now_);
   host_.service(now_);
-  EXPECT_EQ(host_.counters().excess, 0u);
+  EXPECT_EQ(host_.rejections().excess, 0u);
   EXPECT_EQ(mallory.peer() & ENET_PROTOCOL_MAXIMUM_PEER_ID, eve_.peer() & ENET_PROTOCOL_MAXIMUM_PEER_ID);
-  const std::uint64_t before = host_.gate().counters().seal;
+  const std::uint64_t before = host_.rejections().seal;
   eve_.send(pingContent(eve_.peer()), now_);
   host_.service(now_);
-  EXPECT_EQ(host_.gate().counters().seal, before + 1) << "the session before has ended";
+  EXPECT_EQ(host_.rejections().seal, before + 1) << "the session before has ended";
 }
 
 }  // namespace

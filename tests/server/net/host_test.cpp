@@ -86,7 +86,7 @@ TEST_F(HostTest, AnAdmittedClientThatKeepsSendingAfterCloseEndsAfterThreeSeconds
   EXPECT_TRUE(last[0].disconnected);
   EXPECT_EQ(last[0].client, client);
   EXPECT_TRUE(host_.empty());
-  EXPECT_EQ(host_.counters(), HostCounters()) << "the server has closed it";
+  EXPECT_EQ(host_.rejections(), Rejections()) << "the server has closed it";
 }
 
 TEST_F(HostTest, AnOldConnectionWaitsThreeSecondsForTheAnswerToItsClose) {
@@ -114,7 +114,7 @@ TEST_F(HostTest, AnAdmittedConnectionEndsAfterFiveSecondsOfSilence) {
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].disconnected);
   EXPECT_TRUE(host_.empty());
-  EXPECT_EQ(host_.counters().silent, 1u);
+  EXPECT_EQ(host_.rejections().silent, 1u);
 }
 
 TEST_F(HostTest, AConnectionThatIsNotAdmittedEnds) {
@@ -124,7 +124,7 @@ TEST_F(HostTest, AConnectionThatIsNotAdmittedEnds) {
   EXPECT_TRUE(host_.isOpen(client));
   host_.service(connected + Host::kAdmissionTime);
   EXPECT_FALSE(host_.isOpen(client));
-  EXPECT_EQ(host_.counters().idle, 1u);
+  EXPECT_EQ(host_.rejections().idle, 1u);
 }
 
 TEST_F(HostTest, AClientThatDoesNotCompleteTheHandshakeEndsAfterThreeSeconds) {
@@ -135,7 +135,7 @@ TEST_F(HostTest, AClientThatDoesNotCompleteTheHandshakeEndsAfterThreeSeconds) {
   EXPECT_FALSE(host_.empty());
   EXPECT_TRUE(host_.service(now_ + 3s).empty()) << "nobody has heard of it";
   EXPECT_TRUE(host_.empty());
-  EXPECT_EQ(host_.counters().idle, 1u);
+  EXPECT_EQ(host_.rejections().idle, 1u);
 }
 
 TEST_F(HostTest, TheTimeUntilAdmissionBeginsWithTheEndOfTheHandshake) {
@@ -174,14 +174,14 @@ TEST_F(HostTest, DatagramsBeyondTheBudgetOfTheirConnectionAreDropped) {
     client_.send(Bytes{1}, false);
     client_.flush(now_);
   }
-  EXPECT_TRUE(run([this] { return host_.counters().excess > 100; }));
+  EXPECT_TRUE(run([this] { return host_.rejections().excess > 100; }));
 }
 
 TEST_F(HostTest, BytesBeyondTheBudgetOfTheirConnectionAreDropped) {
   eve_.connect(host_, now_);
   for (int i = 0; i < 100; ++i) eve_.send(unsequencedContent(eve_.peer(), 1000), now_);
   eve_.step(host_, now_);
-  EXPECT_GT(host_.counters().excess, 20u);
+  EXPECT_GT(host_.rejections().excess, 20u);
 }
 
 // ENet alone would double the pause each time.
@@ -200,7 +200,7 @@ TEST_F(HostTest, AMessageIsRepeatedAtOnePaceUntilItIsAcknowledged) {
 TEST_F(HostTest, ContentsThatNoClientSendsNeverReachEnet) {
   eve_.connect(host_, now_);
   EXPECT_FALSE(host_.empty());
-  const std::uint64_t before = host_.counters().content;
+  const std::uint64_t before = host_.rejections().content;
   const Bytes hostile[] = {fragmentContent(eve_.peer()),
                            unreliableContent(eve_.peer(), 9),
                            unreliableContent(eve_.peer(), 60000),
@@ -211,7 +211,7 @@ TEST_F(HostTest, ContentsThatNoClientSendsNeverReachEnet) {
                            Bytes(30, 0xff)};
   for (const Bytes& content : hostile) eve_.send(content, now_);
   eve_.step(host_, now_);
-  EXPECT_EQ(host_.counters().content - before, std::size(hostile));
+  EXPECT_EQ(host_.rejections().content - before, std::size(hostile));
   connect();
 }
 
@@ -222,7 +222,7 @@ TEST_F(HostTest, ASessionHasOneConnection) {
     eve_.send(connectContent(id), now_);
     eve_.step(host_, now_);
   }
-  EXPECT_EQ(host_.counters().content, 10u);
+  EXPECT_EQ(host_.rejections().content, 10u);
   connect();
 }
 
@@ -233,13 +233,13 @@ TEST_F(HostTest, ARepeatedRequestToConnectIsNotCountedAsHostile) {
     eve_.send(connectContent(77), now_);
     eve_.step(host_, now_);
   }
-  EXPECT_EQ(host_.counters(), HostCounters());
+  EXPECT_EQ(host_.rejections(), Rejections());
   for (int i = 0; i < 1000; ++i) {
     eve_.send(connectContent(77), now_);
     eve_.step(host_, now_);
   }
-  EXPECT_EQ(host_.counters().content, 0u);
-  EXPECT_GT(host_.counters().excess, 500u);
+  EXPECT_EQ(host_.rejections().content, 0u);
+  EXPECT_GT(host_.rejections().excess, 500u);
 }
 
 // So did the last message of a client whose acknowledgement was lost while the server closed the connection.
@@ -252,14 +252,14 @@ TEST_F(HostTest, AMessageRepeatedWhileTheConnectionClosesIsNotCountedAsHostile) 
   host_.flush(now_);
   eve_.send(reliableContent(eve_.peer(), 1, 5), now_);
   EXPECT_TRUE(host_.service(now_).empty());
-  EXPECT_EQ(host_.counters(), HostCounters());
+  EXPECT_EQ(host_.rejections(), Rejections());
 }
 
 TEST_F(HostTest, ASessionWithoutAConnectionEnds) {
   eve_.join(host_, now_);
-  EXPECT_EQ(host_.gate().counters().unconfirmed, 0u);
+  EXPECT_EQ(host_.rejections().unconfirmed, 0u);
   host_.service(now_ + 3s);
-  EXPECT_EQ(host_.gate().counters().unconfirmed, 1u);
+  EXPECT_EQ(host_.rejections().unconfirmed, 1u);
 }
 
 TEST_F(HostTest, AClientThatAcknowledgesNothingIsDroppedBeforeItsQueueGrows) {
@@ -273,7 +273,7 @@ TEST_F(HostTest, AClientThatAcknowledgesNothingIsDroppedBeforeItsQueueGrows) {
   const std::span<const HostEvent> events = host_.service(now_);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].disconnected);
-  EXPECT_EQ(host_.counters().slow, 1u);
+  EXPECT_EQ(host_.rejections().slow, 1u);
 }
 
 // The newcomer got the place, and the end of the connection before it was never reported: its player stayed for ever.
@@ -308,7 +308,7 @@ TEST_F(HostTest, CountsRejectionsByReason) {
   network_.inject(kEve, kServer, Bytes{0});
   network_.inject(kEve, kServer, Bytes(40, 0xff));
   host_.service(now_);
-  const std::vector<Rejection> rejections = host_.rejections();
+  const std::vector<Rejection> rejections = host_.rejections().list();
   const auto count = [&](std::string_view reason) {
     const auto found = std::find_if(rejections.begin(), rejections.end(),
                                     [&](const Rejection& each) { return each.reason == reason; });

@@ -22,7 +22,7 @@ class ServerGateTest : public testing::Test {
   static SocketAddress clientAt(int number) { return addressAt("192.0.2." + std::to_string(number), 4000); }
 
   void start(GateSettings settings = {4, 2, {}, false}) {
-    gate_.emplace(network_.socket(kServer), identity_, settings, now_);
+    gate_.emplace(network_.socket(kServer), identity_, settings, now_, rules());
   }
 
   // A client that has finished its handshake, or has been refused.
@@ -63,9 +63,19 @@ class ServerGateTest : public testing::Test {
     return datagrams;
   }
 
+  // What `rules_` says at the time.
+  GateRules rules() {
+    return {[this](const IpAddress& ip) { return rules_.ban ? rules_.ban(ip) : std::nullopt; },
+            [this](const IpAddress& ip) {
+              if (rules_.banned) rules_.banned(ip);
+            },
+            [this](SessionId session, const IpAddress& ip) { return !rules_.mayMove || rules_.mayMove(session, ip); }};
+  }
+
   DatagramNetwork network_;
   ServerIdentity identity_ = ServerIdentity::random();
   Moment now_ = std::chrono::seconds(1000);
+  GateRules rules_;  // a test may change it at any time
   std::optional<ServerGate> gate_;
 };
 

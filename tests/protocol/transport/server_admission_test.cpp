@@ -8,7 +8,7 @@
 #include "protocol/transport/server_gate.h"
 #include "tests/support/transport/server_gate_fixture.h"
 
-namespace platon::server_gate_limits_test {
+namespace platon::server_admission_test {
 namespace {
 
 TEST_F(ServerGateTest, AHouseholdHasALimitedNumberOfSessions) {
@@ -44,8 +44,8 @@ TEST_F(ServerGateTest, AFullServerSaysSo) {
 TEST_F(ServerGateTest, ASessionThatIsNotConfirmedExpires) {
   start();
   ClientGate client = join(clientAt(1));
-  gate_->expire(now_ + ServerGate::kConfirmTime);
-  EXPECT_EQ(gate_->counters().unconfirmed, 1u);
+  gate_->expire(now_ + ServerSessions::kConfirmTime);
+  EXPECT_EQ(gate_->rejections().unconfirmed, 1u);
   client.send(kContent, now_);
   EXPECT_TRUE(receive().empty());
 }
@@ -56,7 +56,7 @@ TEST_F(ServerGateTest, AConfirmedSessionExpiresNever) {
   const SessionId session = sessionOf(client);
   gate_->expire(now_ + std::chrono::hours(24));
   EXPECT_TRUE(gate_->isOpen(session));
-  EXPECT_EQ(gate_->counters().unconfirmed, 0u);
+  EXPECT_EQ(gate_->rejections().unconfirmed, 0u);
 }
 
 TEST_F(ServerGateTest, HandshakesOfAHouseholdAreLimited) {
@@ -69,7 +69,7 @@ TEST_F(ServerGateTest, HandshakesOfAHouseholdAreLimited) {
     client.receive(now_);
     receive();
   }
-  EXPECT_EQ(gate_->counters().handshakes, 32u);
+  EXPECT_EQ(gate_->rejections().handshakes, 32u);
   EXPECT_EQ(join(clientAt(7)).state(), ClientGate::State::kOpen);
 }
 
@@ -82,7 +82,7 @@ TEST_F(ServerGateTest, HandshakesAndSessionsOfASiteAreLimited) {
   EXPECT_EQ(joined, 8);
   ClientGate other = join(addressAt("2001:db8:2::1", 4000));
   EXPECT_EQ(other.state(), ClientGate::State::kOpen);
-  const std::uint64_t before = gate_->counters().handshakes;
+  const std::uint64_t before = gate_->rejections().handshakes;
   for (int i = 0; i < 60; ++i) {
     ClientGate client(network_.socket(householdAt(100 + i)), {kServer}, {}, KeyPair::random());
     client.update(now_);
@@ -90,7 +90,7 @@ TEST_F(ServerGateTest, HandshakesAndSessionsOfASiteAreLimited) {
     client.receive(now_);
     receive();
   }
-  EXPECT_EQ(gate_->counters().handshakes - before, 28u);
+  EXPECT_EQ(gate_->rejections().handshakes - before, 28u);
 }
 
 // What its site refused was charged to its households all the same: requests from so many of them emptied all buckets,
@@ -111,8 +111,8 @@ TEST_F(ServerGateTest, ASiteDrainsNoBudgetsOfOtherHouseholds) {
     receive();
     network_.forgetSent();
   }
-  EXPECT_EQ(gate_->counters().password, 32u);
-  EXPECT_EQ(gate_->counters().handshakes, 20000u - 32);
+  EXPECT_EQ(gate_->rejections().password, 32u);
+  EXPECT_EQ(gate_->rejections().handshakes, 20000u - 32);
   for (int i = 0; i < 32; ++i) EXPECT_EQ(join(clientAt(i)).state(), ClientGate::State::kOpen) << i;
 }
 
@@ -128,7 +128,7 @@ TEST_F(ServerGateTest, AHouseholdDrainsNoBudgetOfItsSite) {
     return client.state();
   };
   for (std::uint16_t i = 0; i < 40; ++i) join(addressAt("2001:db8:1:1::1", static_cast<std::uint16_t>(1 + i)));
-  EXPECT_EQ(gate_->counters().handshakes, 32u);
+  EXPECT_EQ(gate_->rejections().handshakes, 32u);
   EXPECT_EQ(join(addressAt("2001:db8:1:2::1", 1)), ClientGate::State::kOpen);
 }
 
@@ -139,7 +139,7 @@ TEST_F(ServerGateTest, AWrongPasswordIsRefusedAlsoWhenAllPlacesAreTaken) {
   ClientGate wrong = join(clientAt(2), "Sesame");
   ASSERT_EQ(wrong.state(), ClientGate::State::kRefused);
   EXPECT_EQ(wrong.refusal()->reason, RefusalReason::kPassword);
-  EXPECT_EQ(gate_->counters().password, 1u);
+  EXPECT_EQ(gate_->rejections().password, 1u);
   EXPECT_TRUE(gate_->isOpen(sessionOf(first)));
 }
 
@@ -186,9 +186,9 @@ TEST_F(ServerGateTest, EmptyAndOversizedDatagramsCount) {
   }
   gate_->beginRound();
   EXPECT_TRUE(receive().empty());
-  EXPECT_EQ(gate_->counters().malformed, ServerGate::kMaxDatagramsPerRound);
+  EXPECT_EQ(gate_->rejections().malformed, ServerGate::kMaxDatagramsPerRound);
   EXPECT_EQ(gate_->traffic().receivedPackets, ServerGate::kMaxDatagramsPerRound);
 }
 
 }  // namespace
-}  // namespace platon::server_gate_limits_test
+}  // namespace platon::server_admission_test

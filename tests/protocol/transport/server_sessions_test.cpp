@@ -6,7 +6,7 @@
 #include "protocol/transport/server_gate.h"
 #include "tests/support/transport/server_gate_fixture.h"
 
-namespace platon::server_gate_paths_test {
+namespace platon::server_sessions_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -121,7 +121,7 @@ TEST_F(ServerGatePathsTest, NobodyMovesIntoAHouseholdThatHasFilledSinceTheChalle
   join(addressAt("203.0.113.9", 2));
   answer(kMoved, response);
   EXPECT_EQ(gate_->addressOf(session_), clientAt(1).ip);
-  EXPECT_EQ(gate_->counters().full, 1u);
+  EXPECT_EQ(gate_->rejections().full, 1u);
 }
 
 // A router gives a client another port.
@@ -133,7 +133,7 @@ TEST_F(ServerGatePathsTest, AClientMovesWithinAFullHousehold) {
   deliver(moved, sealed(kContent));
   answer(moved, answerTo(moved));
   EXPECT_EQ(receiver(), moved);
-  EXPECT_EQ(gate_->counters().full, 0u);
+  EXPECT_EQ(gate_->rejections().full, 0u);
 }
 
 // It counts there already.
@@ -154,16 +154,16 @@ TEST_F(ServerGatePathsTest, ASessionOfAFullSiteMovesWithinIt) {
 TEST_F(ServerGatePathsTest, WhoeverChecksMovesMayRefuseOne) {
   bool may = false;
   std::vector<IpAddress> asked;
-  gate_->setMoveCheck([&](SessionId session, const IpAddress& address) {
+  rules_.mayMove = [&](SessionId session, const IpAddress& address) {
     EXPECT_EQ(session, session_);
     asked.push_back(address);
     return may;
-  });
+  };
   deliver(kMoved, sealed(kContent));
   EXPECT_TRUE(asked.empty()) << "the sender may be forged";
   answer(kMoved, answerTo(kMoved));
   EXPECT_EQ(gate_->addressOf(session_), clientAt(1).ip);
-  EXPECT_EQ(gate_->counters().full, 1u);
+  EXPECT_EQ(gate_->rejections().full, 1u);
   may = true;
   now_ += 100ms;
   deliver(kMoved, sealed(kContent));
@@ -174,7 +174,7 @@ TEST_F(ServerGatePathsTest, WhoeverChecksMovesMayRefuseOne) {
 
 // As long as it stayed, it was challenged, and counted as refused, with each datagram.
 TEST_F(ServerGatePathsTest, AClientWhoseMoveIsRefusedIsChallengedTenTimesASecond) {
-  gate_->setMoveCheck([](SessionId, const IpAddress&) { return false; });
+  rules_.mayMove = [](SessionId, const IpAddress&) { return false; };
   deliver(kMoved, sealed(kContent));
   answer(kMoved, answerTo(kMoved));
   deliver(kMoved, sealed(kContent));
@@ -189,25 +189,25 @@ TEST_F(ServerGatePathsTest, AClientWhoseMoveIsRefusedIsChallengedTenTimesASecond
 
 // Two challenges before the first answer are the same.
 TEST_F(ServerGatePathsTest, AChallengeIsAnsweredOnce) {
-  gate_->setMoveCheck([](SessionId, const IpAddress&) { return false; });
+  rules_.mayMove = [](SessionId, const IpAddress&) { return false; };
   deliver(kMoved, sealed(kContent));
   const Bytes response = answerTo(kMoved);
   now_ += 100ms;
   deliver(kMoved, sealed(kContent));
   answer(kMoved, answerTo(kMoved));
   answer(kMoved, response);
-  EXPECT_EQ(gate_->counters().full, 1u);
+  EXPECT_EQ(gate_->rejections().full, 1u);
 }
 
 // It does not receive at its old address, and may not receive here.
 TEST_F(ServerGatePathsTest, AClientWhoseMoveIsRefusedIsSentNothingButChallengesAfterASecond) {
-  gate_->setMoveCheck([](SessionId, const IpAddress&) { return false; });
-  for (Moment passed{}; passed < ServerGate::kUnconfirmedPathTime; passed += 100ms, now_ += 100ms) {
+  rules_.mayMove = [](SessionId, const IpAddress&) { return false; };
+  for (Moment passed{}; passed < ServerSessions::kUnconfirmedPathTime; passed += 100ms, now_ += 100ms) {
     deliver(kMoved, sealed(kContent));
-    if (challengesTo(kMoved) > gate_->counters().full) answer(kMoved, answerTo(kMoved));
+    if (challengesTo(kMoved) > gate_->rejections().full) answer(kMoved, answerTo(kMoved));
     EXPECT_EQ(receiver(), clientAt(1));
   }
-  EXPECT_GE(gate_->counters().full, 5u);
+  EXPECT_GE(gate_->rejections().full, 5u);
   deliver(kMoved, sealed(kContent));
   const std::size_t before = network_.sent().size();
   gate_->send(session_, kContent, now_);
@@ -227,7 +227,7 @@ TEST_F(ServerGatePathsTest, AClientBetweenTwoAddressesIsChallengedTenTimesASecon
 // The server went on sending to an address that the client had left, 326 kB/s of it.
 TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressThatTheClientDoesNotAnswerAt) {
   deliver(kMoved, sealed(kContent));
-  now_ += ServerGate::kUnconfirmedPathTime - 1ms;
+  now_ += ServerSessions::kUnconfirmedPathTime - 1ms;
   deliver(kMoved, sealed(kContent));
   EXPECT_EQ(receiver(), clientAt(1));
   now_ += 1ms;
@@ -243,20 +243,20 @@ TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressThatTheClientDoes
 TEST_F(ServerGatePathsTest, AClientThatIsOvertakenAnswersWhereItIsAndMissesNothing) {
   deliver(kMoved, sealed(kContent));
   for (int second = 0; second < 10; ++second) {
-    now_ += ServerGate::kUnconfirmedPathTime / 2;
+    now_ += ServerSessions::kUnconfirmedPathTime / 2;
     const std::size_t before = challengesTo(clientAt(1));
     deliver(kMoved, sealed(kContent));
     deliver(kMoved, sealed(kContent));
     ASSERT_EQ(challengesTo(clientAt(1)), before + 1);
     answer(kMoved, answerTo(clientAt(1)));
-    now_ += ServerGate::kUnconfirmedPathTime / 2;
+    now_ += ServerSessions::kUnconfirmedPathTime / 2;
     EXPECT_EQ(receiver(), clientAt(1));
   }
 }
 
 TEST_F(ServerGatePathsTest, AnAnswerFromTheOldAddressCountsOnce) {
   deliver(kMoved, sealed(kContent));
-  now_ += ServerGate::kUnconfirmedPathTime / 2;
+  now_ += ServerSessions::kUnconfirmedPathTime / 2;
   deliver(kMoved, sealed(kContent));
   const Bytes first = answerTo(clientAt(1));
   now_ += 100ms;
@@ -264,7 +264,7 @@ TEST_F(ServerGatePathsTest, AnAnswerFromTheOldAddressCountsOnce) {
   deliver(kMoved, sealed(kContent));
   const Bytes second = answerTo(clientAt(1));
   answer(kMoved, first);
-  now_ += ServerGate::kUnconfirmedPathTime - 1ms;
+  now_ += ServerSessions::kUnconfirmedPathTime - 1ms;
   EXPECT_EQ(receiver(), clientAt(1));
   answer(kMoved, second);
   now_ += 1ms;
@@ -275,7 +275,7 @@ TEST_F(ServerGatePathsTest, AnAnswerFromTheOldAddressCountsOnce) {
 
 TEST_F(ServerGatePathsTest, ADatagramFromTheOldAddressEndsTheDoubt) {
   deliver(kMoved, sealed(kContent));
-  now_ += 10 * ServerGate::kUnconfirmedPathTime;
+  now_ += 10 * ServerSessions::kUnconfirmedPathTime;
   deliver(clientAt(1), sealed(kContent));
   EXPECT_EQ(receiver(), clientAt(1));
 }
@@ -283,7 +283,7 @@ TEST_F(ServerGatePathsTest, ADatagramFromTheOldAddressEndsTheDoubt) {
 TEST_F(ServerGatePathsTest, ALateDatagramFromTheOldAddressDoesNot) {
   const Bytes late = sealed(kContent);
   deliver(kMoved, sealed(kContent));
-  now_ += 10 * ServerGate::kUnconfirmedPathTime;
+  now_ += 10 * ServerSessions::kUnconfirmedPathTime;
   deliver(clientAt(1), late);
   const std::size_t before = network_.sent().size();
   gate_->send(session_, kContent, now_);
@@ -293,7 +293,7 @@ TEST_F(ServerGatePathsTest, ALateDatagramFromTheOldAddressDoesNot) {
 // Such a datagram tells as much about the old address as any other.
 TEST_F(ServerGatePathsTest, ADatagramThatIsTooShortForAChallengePutsTheOldAddressInDoubtToo) {
   deliver(kMoved, sealed(Bytes{1}));
-  now_ += ServerGate::kUnconfirmedPathTime;
+  now_ += ServerSessions::kUnconfirmedPathTime;
   const std::size_t before = network_.sent().size();
   gate_->send(session_, kContent, now_);
   EXPECT_EQ(network_.sent().size(), before);
@@ -301,10 +301,9 @@ TEST_F(ServerGatePathsTest, ADatagramThatIsTooShortForAChallengePutsTheOldAddres
 
 // The server does not follow it there, but asks whether it still receives where it was.
 TEST_F(ServerGatePathsTest, ADatagramFromABannedAddressPutsTheOldAddressInDoubtToo) {
-  gate_->setBanCheck(
-      [](const IpAddress& ip) { return ip == kMoved.ip ? std::optional<std::string>("") : std::nullopt; });
+  rules_.ban = [](const IpAddress& ip) { return ip == kMoved.ip ? std::optional<std::string>("") : std::nullopt; };
   deliver(kMoved, sealed(kContent));
-  now_ += ServerGate::kUnconfirmedPathTime;
+  now_ += ServerSessions::kUnconfirmedPathTime;
   const std::size_t before = challengesTo(clientAt(1));
   deliver(kMoved, sealed(kContent));
   EXPECT_EQ(challengesTo(kMoved), 0u);
@@ -321,7 +320,7 @@ TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressWhoseClientAnswer
     deliver(clientAt(1), sealed(kContent));
     const std::size_t all = network_.sent().size();
     gate_->send(session_, kContent, now_);
-    const bool served = now_ + 600ms < joined + ServerGate::kShownAddressTime;  // it joined 600 ms before
+    const bool served = now_ + 600ms < joined + ServerSessions::kShownAddressTime;  // it joined 600 ms before
     EXPECT_EQ(network_.sent().size(), all + (served ? 1 : 0)) << (now_ - joined) / 1ms << " ms";
   }
   network_.forgetSent();
@@ -355,7 +354,7 @@ TEST_F(ServerGatePathsTest, WhoGoesBackAndForthWithoutAnAnswerIsAskedToo) {
 // Each datagram has one answer at most, and none keeps the other waiting for long.
 TEST_F(ServerGatePathsTest, BothAddressesAreAskedInTurn) {
   deliver(kMoved, sealed(kContent));
-  now_ += ServerGate::kUnconfirmedPathTime / 2;
+  now_ += ServerSessions::kUnconfirmedPathTime / 2;
   const std::size_t before = challengesTo(clientAt(1));
   for (int i = 0; i < 10; ++i, now_ += 250ms) {
     const std::size_t all = network_.sent().size();
@@ -367,4 +366,4 @@ TEST_F(ServerGatePathsTest, BothAddressesAreAskedInTurn) {
 }
 
 }  // namespace
-}  // namespace platon::server_gate_paths_test
+}  // namespace platon::server_sessions_test

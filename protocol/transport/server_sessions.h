@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/transport/control.h"
+#include "protocol/transport/datagram_socket.h"
+#include "protocol/transport/rejections.h"
+#include "protocol/transport/sealed_channel.h"
+
+namespace platon {
+
+/// A session of the gate. Numbers are used again only after all others; 0 is none.
+struct SessionId {
+  std::uint32_t number = 0;
+  std::uint16_t slot = 0;
+
+  friend bool operator==(const SessionId&, const SessionId&) = default;
+};
+
+struct GateSettings {
+  std::uint32_t sessions = 24;  ///< most sessions, 1 … 4095
+  /// Most sessions of one IpAddress::household, a quarter of those of one IpAddress::site; loopback has no limit.
+  std::uint32_t sessionsPerHousehold = 8;
+  CryptoKey presharedKey{};  ///< of the password
+  bool needsPassword = false;
+  std::uint32_t firstNumber = 1;  ///< of the first session; 1 follows the largest
+};
+
+/// What the program around a gate decides about addresses. A function that is empty refuses nobody.
+struct GateRules {
+  /// Tells why an address may not join: a label for the player; nothing if it may. It must have no effect: the address
+  /// may be forged.
+  std::function<std::optional<std::string>(const IpAddress&)> ban{};
+  /// Called for each newcomer that is refused as banned. It has shown that it receives at this address.
+  std::function<void(const IpAddress&)> banned{};
+  /// Decides whether a session may move to another address, at which it has shown that it receives. If so, it is there
+  /// from then on.
+  std::function<bool(SessionId, const IpAddress&)> mayMove{};
+};
+
+/// The sessions that a gate lets through. Opens and seals what they contain, limits how many there are at one place,
+/// and follows a client to another address once it has shown that it receives there.
+class ServerSessions {
+ public:
+  /// Time after the handshake in which a session must be confirmed.
+  static constexpr std::chrono::seconds kConfirmTime{3};
+  /// While a client sends from another address than the one that it has shown to receive at, content is sent to the
+  /// latter for so long after the last sign that it still receives there.
+  static constexpr std::chrono::milliseconds kUnconfirmedPathTime{1000};
+  /// Content is sent to an address for so long after the client has shown to receive there. In the last
+  /// kAskTime of it, the client is asked to show it again: its datagrams alone do not, since a sender can be forged.
+  static constexpr std::chrono::seconds kShownAddressTime{15};
+  static constexpr std::chrono::seconds kAskTime{5};
+
+  struct Received {
+    SessionId session;
+    Bytes bytes;  ///< not empty
+  };
+  /// What a handshake has agreed on.
+  struct Agreement {
+    CryptoKey clientKey{};  ///< ephemeral
+    SessionKeys keys;
+    Bytes accept;  ///< the answer to the client, which is repeated if it was lost
+  };
+
+  /// The references must outlive this.
+  ServerSessions(const GateSettings& settings, const GateRules& rules, CountedSocket& socket, Rejections& rejections);
+
+  /// The content of a sealed datagram; nothing if it was for the transport, or rejected.
+  std::optional<Received> receive(const Datagram& datagram, Moment now);
+  /// Seals and queues; no effect if the session has ended, the content is too long, or nobody knows where the client
+  /// receives: see kUnconfirmedPathTime and kShownAddressTime.
+  void send(SessionId session, ByteSpan content, Moment now);
+
+  /// Whether one more session may be at this address.
+  bool hasRoomFor(const IpAddress& client) const { return hasRoomFor(client, nullptr); }
+  /// A free slot; if there is none, that of the session that has waited longest to be confirmed.
+  std::optional<std::uint16_t> freeSlot() const;
+  /// Begins a session in a slot from `freeSlot`, and sends its answer.
+  void begin(std::uint16_t slot, const SocketAddress& client, const Agreement& agreement, Moment now);
+  /// Whether a session was begun with this key. Sends the answer again if the client may not have it.
+  bool repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Moment now);
+
+  void confirm(SessionId session);
+  void expire(Moment now);
+  void close(SessionId session);
+  bool isOpen(SessionId session) const { return find(session) != nullptr; }
+  /// Address of an open session; `IpAddress{}` if it has ended.
+  IpAddress addressOf(SessionId session) const;
+
+ private:
+  struct Path {
+    SocketAddress address;
+    PathChallenge challenge{};
+    Moment since{};
+  };
+  struct Session {
+    SessionId id;  // number 0: free
+    SocketAddress address;
+    Moment receivedAt{};                        // when the client has last shown that it receives there
+    std::optional<PathChallenge> ownChallenge;  // that it was sent there and has not answered
+    Moment askedAt{};                           // when it was last sent that
+    std::optional<SealedChannel> channel;
+    CryptoKey clientKey{};
+    Bytes accept;                        // repeated when the client repeats its Open; empty once the client has it
+    std::optional<Path> path;            // another address from which the client sends, until it has answered there
+    std::optional<Moment> challengedAt;  // when it was last sent a challenge at another address
+    bool confirmed = false;
+    Moment since{};
+  };
+
+  void takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now);
+  void checkPath(Session& session, const Datagram& datagram, Moment now);
+  static Moment servedUntil(const Session& session);
+  void challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge, Moment now);
+  bool isBanned(const IpAddress& address) const { return rules_.ban && rules_.ban(address); }
+  bool hasRoomFor(const IpAddress& client, const Session* moving) const;
+  const Session* find(SessionId id) const;
+
+  const GateRules& rules_;
+  CountedSocket& socket_;
+  Rejections& rejections_;
+  std::vector<Session> sessions_;
+  std::uint32_t sessionsPerHousehold_;
+  std::uint32_t nextNumber_;
+};
+
+}  // namespace platon
