@@ -17,11 +17,11 @@
 #include "server/match/level_rotation.h"
 #include "server/match/match_output.h"
 #include "server/match/match_player.h"
+#include "server/match/match_talk.h"
 #include "server/match/played_round.h"
 #include "server/match/roster.h"
 #include "server/match/round_times.h"
 #include "server/match/rounds.h"
-#include "server/match/talk.h"
 #include "server/match/transfers.h"
 #include "server/match/updates.h"
 

@@ -13,7 +13,7 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
-#include "server/match/talk.h"
+#include "server/match/match_talk.h"
 #include "server/match/transfers.h"
 #include "server/match/updates.h"
 

@@ -1,4 +1,4 @@
-#include "server/match/talk.h"
+#include "server/match/match_talk.h"
 
 #include "protocol/label.h"
 #include "protocol/to_client.h"

@@ -1,11 +1,11 @@
-#include "server/match/talk.h"
+#include "server/match/match_talk.h"
 
 #include <gtest/gtest.h>
 
 #include "server/match/match.h"
 #include "tests/support/test_levels.h"
 
-namespace platon::talk_test {
+namespace platon::match_talk_test {
 namespace {
 
 TEST(ChatBudget, ABurstIsSaidAtOnceAndThenOneTextInTwoSeconds) {
@@ -265,4 +265,4 @@ TEST_F(SilentMatch, PassesNothingOn) {
 }
 
 }  // namespace
-}  // namespace platon::talk_test
+}  // namespace platon::match_talk_test
