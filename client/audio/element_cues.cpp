@@ -18,9 +18,13 @@ bool isOn(const Game& game, const Element& element) {
       return (game.openDoors() & element.bit()) != 0;
     case ElementKind::kPlate:
       return (game.openDoors() & element.bit()) != 0 && !game.isTaken(element);
-    default:
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kHazard:
+    case ElementKind::kCheckpoint:
       return false;
   }
+  return false;
 }
 
 // A key that is there again makes no sound.
@@ -32,9 +36,13 @@ std::optional<Sound> soundOf(ElementKind kind, bool on) {
       return on ? Sound::kDoorOpens : Sound::kDoorCloses;
     case ElementKind::kPlate:
       return on ? Sound::kPlateDown : Sound::kPlateUp;
-    default:
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kHazard:
+    case ElementKind::kCheckpoint:
       return std::nullopt;
   }
+  return std::nullopt;
 }
 
 glm::dvec3 placeInSpace(const SolidMesh& mesh, const Element& element) {

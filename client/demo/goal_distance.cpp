@@ -38,9 +38,14 @@ struct Obstacles {
         return false;
       case ElementKind::kDoor:
         return (open & element->bit()) == 0;
-      default:
-        return canBlock(element->kind);
+      case ElementKind::kHazard:
+      case ElementKind::kPlate:
+        return true;
+      case ElementKind::kCheckpoint:
+      case ElementKind::kKey:
+        return false;
     }
+    return true;
   }
 };
 

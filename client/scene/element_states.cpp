@@ -57,9 +57,11 @@ ElementStates elementStatesOf(const Game& game, std::optional<std::uint32_t> loc
         return (game.openDoors() & element.bit()) == 0;
       case ElementKind::kPlate:
         return (game.openDoors() & element.bit()) != 0;
-      default:
+      case ElementKind::kOneway:
+      case ElementKind::kHazard:
         return true;
     }
+    return true;
   };
   for (const Element& element : elements) states.active.push_back(isActive(element, states.active.size() + 1) ? 1 : 0);
   return states;

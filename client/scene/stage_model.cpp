@@ -35,7 +35,7 @@ Ribbon mapped(const glm::dmat4& map, const Ribbon& ends) { return {mapped(map, e
 ElementDrawing drawingOf(const StageModel& stage, const Element& element, std::size_t index) {
   ElementDrawing drawing{
       {toUnits(element.ends.a), toUnits(element.ends.b)}, element.kind, element.number, {0, 1}, {}, true};
-  if (element.kind == ElementKind::kUp) drawing.towards = stage.mesh.edgeNormals()[element.number];
+  if (traitsOf(element.kind).number == ElementNumber::kEdge) drawing.towards = stage.mesh.edgeNormals()[element.number];
   drawing.element = static_cast<std::uint32_t>(index);
   return drawing;
 }

@@ -47,7 +47,7 @@ void LevelDrawing::addSegments(const Level& level, int face) {
 
 ElementStyle LevelDrawing::styleOf(const Element& element) const {
   ElementStyle style{element.kind, element.number, {0, 1}};
-  if (element.kind == ElementKind::kUp) style.towards = solid.edgeNormals()[element.number];
+  if (traitsOf(element.kind).number == ElementNumber::kEdge) style.towards = solid.edgeNormals()[element.number];
   return style;
 }
 

@@ -38,7 +38,7 @@ JumpHeights::JumpHeights(const Level& level, const Options& options)
     fallen_.emplace_back(grids_.back().size());
   }
   measure();
-  for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
+  for (const Element& element : level.elements) hasHazard_ = hasHazard_ || sendsBack(element.kind);
   search(level);
 }
 
@@ -146,9 +146,18 @@ void JumpHeights::fall(std::uint32_t node, std::size_t cell) {
 void JumpHeights::touch(const ReachWall& wall) {
   const Element& element = *wall.element;
   if (isAmong(options_.without, element)) return;
-  if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) opened_ |= element.bit();
-  if (element.kind != ElementKind::kCheckpoint || !hasHazard_) return;
-  fall(wall.node, grids_[wall.node].cellAt(uprightOf(placeOf(element), faces_.all()[wall.node].up)));
+  switch (traitsOf(element.kind).effect) {
+    case ElementEffect::kOpen:
+      opened_ |= element.bit();
+      return;
+    case ElementEffect::kCheckpoint:
+      if (hasHazard_)
+        fall(wall.node, grids_[wall.node].cellAt(uprightOf(placeOf(element), faces_.all()[wall.node].up)));
+      return;
+    case ElementEffect::kNone:
+    case ElementEffect::kSendBack:  // to a checkpoint that was touched, or to the start
+      return;
+  }
 }
 
 void JumpHeights::rise(std::uint32_t node, std::size_t cell, double apex) {

@@ -36,7 +36,7 @@ Reach::Reach(const Level& level, int maxCrossings, std::vector<ElementWord> with
     grids_.push_back(std::make_unique<ReachGrid>(level, faces_, node, cellSize));
     reached_.emplace_back(grids_.back()->size(), kUnreached);
   }
-  for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
+  for (const Element& element : level.elements) hasHazard_ = hasHazard_ || sendsBack(element.kind);
   startsAtDoor_ = startsAtDoor(level);
   setDoors(level);
   begin(open_);
@@ -60,7 +60,7 @@ bool Reach::startsAtDoor(const Level& level) const {
 }
 
 bool Reach::opensDoors(const Element& element) const {
-  return (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) && !isAmong(without_, element);
+  return platon::opensDoors(element.kind) && !isAmong(without_, element);
 }
 
 void Reach::setDoors(const Level& level) {
@@ -200,8 +200,15 @@ void Reach::visit(const ReachVisit& visit) {
   const ReachGrid::Cell& cell = (*grids_[visit.node])[visit.cell];
   if (cell.atGoal) toGoal_ = std::min(toGoal_.value_or(visit.crossings), visit.crossings);
   for (const ReachWall& wall : grids_[visit.node]->touched(visit.cell)) {
-    if (hasHazard_ && wall.element->kind == ElementKind::kCheckpoint && !isAmong(without_, *wall.element))
-      respawn(visit.crossings, *wall.element, wall.node);
+    switch (traitsOf(wall.element->kind).effect) {
+      case ElementEffect::kCheckpoint:
+        if (hasHazard_ && !isAmong(without_, *wall.element)) respawn(visit.crossings, *wall.element, wall.node);
+        break;
+      case ElementEffect::kNone:
+      case ElementEffect::kSendBack:  // to a checkpoint that was touched, or to the start
+      case ElementEffect::kOpen:      // openedBy
+        break;
+    }
   }
   addStarts(visit, cell);
 }

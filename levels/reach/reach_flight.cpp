@@ -9,8 +9,9 @@
 namespace platon {
 namespace {
 
-// A player on the left of a one-way segment is at least this far from it; see GameRules.
-constexpr double kOnewayDistance = kApothemInUnits - 0.1;
+constexpr double kOnewayRounding = 0.0375;  // level units
+// A player on the left of a one-way segment is at least this far from it.
+constexpr double kOnewayDistance = kApothemInUnits - double{1} * kOnewaySlack / kSubunitsPerUnit - kOnewayRounding;
 // Rounding of positions and ticks.
 constexpr double kSideways = 1;
 constexpr int kTicks = 2;

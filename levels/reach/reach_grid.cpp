@@ -221,8 +221,15 @@ void ReachGrid::visitNear(const Line& line, double reach, Visitor&& visitor) {
 void ReachGrid::add(const ReachWall& wall) {
   if (wall.own) addBlocking(wall);
   if (wall.carries) addCarrying(wall);
-  const bool isPlate = wall.element != nullptr && wall.element->kind == ElementKind::kPlate;
-  if (wall.kind != ReachWall::Kind::kTrigger && !isPlate) return;
+  if (wall.element == nullptr) return;
+  switch (traitsOf(wall.element->kind).effect) {
+    case ElementEffect::kNone:
+    case ElementEffect::kSendBack:
+      return;
+    case ElementEffect::kCheckpoint:
+    case ElementEffect::kOpen:
+      break;
+  }
   visitNear(wall.line, kTouch, [&](Cell&, const Rect& rect, std::size_t cell) {
     if (distance(rect, wall.line) <= kTouch) touched_[cell].push_back(wall);
   });
@@ -255,7 +262,14 @@ void ReachGrid::addOneways(std::span<const ReachWall> walls) {
 }
 
 void ReachGrid::addBlocking(const ReachWall& wall) {
-  if (wall.kind != ReachWall::Kind::kSolid && wall.kind != ReachWall::Kind::kDoor) return;
+  switch (wall.kind) {
+    case ReachWall::Kind::kSolid:
+    case ReachWall::Kind::kDoor:
+      break;
+    case ReachWall::Kind::kOneway:
+    case ReachWall::Kind::kTrigger:
+      return;
+  }
   const double reach = kApothemInUnits - cellSize_ / 2 * std::sqrt(2.0) - kMargin;
   visitNear(wall.line, reach, [&](Cell& cell, const Rect& rect, std::size_t) {
     if (distance(rect.middle(), wall.line) >= reach) return;

@@ -49,7 +49,7 @@ class ReachGrid {
   std::size_t cellAt(Vec point) const;
   /// All cells that a rectangle overlaps.
   void findOverlapped(const Rect& rect, std::vector<std::size_t>& found) const;
-  /// The triggers and plates that a player in the cell may touch.
+  /// The checkpoints and what opens doors that a player in the cell may touch.
   std::span<const ReachWall> touched(std::size_t cell) const;
   const std::vector<ReachOneway>& oneways() const { return oneways_; }
 

@@ -62,16 +62,27 @@ class WallList {
   // Whether the segment matters to a player with this up.
   bool describe(ReachWall& wall, const UprightFace& face) const {
     if (wall.element == nullptr) return true;
-    const ElementKind kind = wall.element->kind;
-    if (kind == ElementKind::kUp)
-      return pointsTo(face.up, *wall.element, static_cast<std::int32_t>(face.polygon.size()));
-    if (kind == ElementKind::kOneway) wall.kind = ReachWall::Kind::kOneway;
-    if (kind == ElementKind::kDoor) {
-      wall.kind = ReachWall::Kind::kDoor;
-      wall.doors = wall.element->bit();
+    switch (wall.element->kind) {
+      case ElementKind::kUp:
+        return pointsTo(face.up, *wall.element, static_cast<std::int32_t>(face.polygon.size()));
+      case ElementKind::kOneway:
+        wall.kind = ReachWall::Kind::kOneway;
+        return true;
+      case ElementKind::kHazard:
+        wall.carries = false;
+        return true;
+      case ElementKind::kDoor:
+        wall.kind = ReachWall::Kind::kDoor;
+        wall.doors = wall.element->bit();
+        return true;
+      case ElementKind::kCheckpoint:
+      case ElementKind::kKey:
+        wall.kind = ReachWall::Kind::kTrigger;
+        wall.carries = false;
+        return true;
+      case ElementKind::kPlate:
+        return true;
     }
-    if (!canBlock(kind)) wall.kind = ReachWall::Kind::kTrigger;
-    wall.carries = kind != ElementKind::kHazard && canBlock(kind);
     return true;
   }
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "levels/solve/jump_slack.h"
-#include "levels/solve/plates.h"
+#include "levels/solve/uses.h"
 
 namespace platon {
 namespace {
@@ -20,11 +20,8 @@ class Replay {
     for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
       notePresses(slot, inputs[slot]);
       noteFace(slot);
-      notePlates(slot);
-      if (const std::uint16_t checkpoint = game_.player(slot).checkpoint; checkpoint != 0)
-        facts_.elements.insert(checkpoint - 1U);
+      noteElements(slot);
     }
-    noteKeys();
   }
 
   const Game& game() const { return game_; }
@@ -52,16 +49,10 @@ class Replay {
     known->second = entity.angle;
     ++facts_.turns;
   }
-  void noteKeys() {
+  void noteElements(std::uint32_t slot) {
     const std::vector<Element>& elements = game_.level().elements;
-    for (std::uint32_t i = 0; i < elements.size() && game_.openDoors() != 0; ++i) {
-      if (elements[i].kind == ElementKind::kKey && game_.isTaken(elements[i])) facts_.elements.insert(i);
-    }
-  }
-  void notePlates(std::uint32_t slot) {
-    const std::vector<Element>& elements = game_.level().elements;
-    for (std::uint32_t i = 0; i < elements.size() && game_.openDoors() != 0; ++i) {
-      if (elements[i].kind == ElementKind::kPlate && standsOn(game_, slot, elements[i])) facts_.elements.insert(i);
+    for (std::uint32_t i = 0; i < elements.size(); ++i) {
+      if (uses(game_, slot, elements[i])) facts_.elements.insert(i);
     }
   }
 

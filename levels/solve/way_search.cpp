@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-#include "levels/solve/plates.h"
+#include "levels/solve/uses.h"
 
 namespace platon {
 namespace {
@@ -25,6 +25,22 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
 std::uint64_t mix(std::uint64_t hash, Point point, std::int32_t step) {
   hash = mix(hash, static_cast<std::uint32_t>(divideFloor(point.x, step)));
   return mix(hash, static_cast<std::uint32_t>(divideFloor(point.y, step)));
+}
+
+std::optional<WaySearch::Target::Kind> targetOf(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::kKey:
+      return WaySearch::Target::Kind::kKey;
+    case ElementKind::kPlate:
+      return WaySearch::Target::Kind::kPlate;
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kHazard:
+    case ElementKind::kCheckpoint:
+    case ElementKind::kDoor:
+      return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -113,16 +129,10 @@ bool WaySearch::simulate(std::uint32_t parent, std::uint8_t buttons) {
 
 // Whether the player has touched nothing of Limits::without.
 bool WaySearch::keepsOff() const {
-  const Level& level = game_.level();
-  const auto isTouched = [&](const Element& element) {
-    if (element.kind == ElementKind::kKey) return game_.isTaken(element);
-    if (element.kind == ElementKind::kPlate) return standsOn(game_, slot_, element);
-    const std::uint16_t checkpoint = game_.player(slot_).checkpoint;
-    return checkpoint != 0 && level.elements[checkpoint - 1] == element;
-  };
-  return limits_.without.empty() ||
-         std::none_of(level.elements.begin(), level.elements.end(),
-                      [&](const Element& element) { return isAmong(limits_.without, element) && isTouched(element); });
+  const std::vector<Element>& elements = game_.level().elements;
+  return limits_.without.empty() || std::none_of(elements.begin(), elements.end(), [&](const Element& element) {
+           return isAmong(limits_.without, element) && uses(game_, slot_, element);
+         });
 }
 
 void WaySearch::noteTargets(const Way& way) {
@@ -130,9 +140,8 @@ void WaySearch::noteTargets(const Way& way) {
   if (game_.openDoors() == 0) return;
   const std::vector<Element>& elements = game_.level().elements;
   for (std::uint32_t i = 0; i < elements.size(); ++i) {
-    if (elements[i].kind == ElementKind::kKey && game_.isTaken(elements[i])) note({Target::Kind::kKey, i}, way);
-    if (elements[i].kind == ElementKind::kPlate && standsOn(game_, slot_, elements[i]))
-      note({Target::Kind::kPlate, i}, way);
+    const auto kind = targetOf(elements[i].kind);
+    if (kind && uses(game_, slot_, elements[i])) note({*kind, i}, way);
   }
 }
 

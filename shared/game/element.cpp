@@ -7,19 +7,11 @@
 #include "shared/game/level_number.h"
 
 namespace platon {
-namespace {
-
-constexpr std::array<std::string_view, kElementKinds.size()> kWords = {"oneway", "up",   "hazard", "checkpoint",
-                                                                       "key",    "door", "plate"};
-
-}  // namespace
-
-std::string_view wordOf(ElementKind kind) { return kWords[static_cast<std::size_t>(kind)]; }
 
 std::optional<ElementKind> elementKindOf(std::string_view word) {
-  const auto found = std::find(kWords.begin(), kWords.end(), word);
-  if (found == kWords.end()) return std::nullopt;
-  return kElementKinds[static_cast<std::size_t>(found - kWords.begin())];
+  const auto found = std::find_if(kElementKinds.begin(), kElementKinds.end(),
+                                  [word](ElementKind kind) { return wordOf(kind) == word; });
+  return found == kElementKinds.end() ? std::nullopt : std::optional(*found);
 }
 
 std::string ElementWord::text() const {
@@ -34,8 +26,10 @@ std::optional<ElementWord> needOf(std::string_view text) {
   constexpr std::string_view blanks = " \t";
   const std::size_t end = std::min(text.find_first_of(blanks), text.size());
   const auto kind = elementKindOf(text.substr(0, end));
-  if (kind == ElementKind::kCheckpoint && end == text.size()) return ElementWord{*kind};
-  if ((kind != ElementKind::kKey && kind != ElementKind::kPlate) || end == text.size()) return std::nullopt;
+  if (!kind) return std::nullopt;
+  const ElementEffect effect = traitsOf(*kind).effect;
+  if (effect == ElementEffect::kCheckpoint && end == text.size()) return ElementWord{*kind};
+  if (effect != ElementEffect::kOpen || end == text.size()) return std::nullopt;
   const std::string_view digits = text.substr(std::min(text.find_first_not_of(blanks, end), text.size()));
   LevelNumber number;
   if (parseNumber(digits, kMaxDoorNumbers - 1, number) != NumberFault::kNone ||

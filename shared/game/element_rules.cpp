@@ -9,10 +9,6 @@
 namespace platon {
 namespace {
 
-// How much less than its apothem, in subunits, the centre of a player that stands on a one-way segment may be away from
-// it. More than the offset of segments that meet (I3), so that a player who runs onto one does not fall through.
-constexpr std::int64_t kOnewaySlack = 64;
-
 // Whether a player with its centre there is on the left of the segment: wholly on the left of its line, or above one of
 // its ends, at most 45° to the side. The latter holds a player that rolls over the top of two slopes whose ends do not
 // meet exactly. Bounds: coordinates < 2^27, so that products are < 2^56.
@@ -47,9 +43,14 @@ bool ElementRules::pierce(const Entity& entity, const SegmentRef& segment) const
       return !pointsTo(upOnFaceOf(segment, entity), *element, edgesPerFace_);
     case ElementKind::kDoor:
       return (open_ & element->bit()) != 0;
-    default:
-      return !canBlock(element->kind);
+    case ElementKind::kHazard:
+    case ElementKind::kPlate:
+      return false;
+    case ElementKind::kCheckpoint:
+    case ElementKind::kKey:
+      return true;
   }
+  return false;
 }
 
 }  // namespace platon

@@ -40,19 +40,28 @@ std::string hintFor(std::string_view word) {
 }
 
 // What the number after the word means.
-std::string meaningOf(ElementKind kind) {
-  return "the number of " + std::string(kind == ElementKind::kUp ? "an edge of the face" : "a door and its keys");
+std::string_view meaningOf(ElementKind kind) {
+  switch (traitsOf(kind).number) {
+    case ElementNumber::kNone:
+      return {};
+    case ElementNumber::kEdge:
+      return "the number of an edge of the face";
+    case ElementNumber::kDoor:
+      return "the number of a door and its keys";
+  }
+  return {};
 }
 
 std::optional<std::uint8_t> readNumber(const LevelLine& line, const LevelToken& token, ElementKind kind,
                                        std::uint32_t edges, Diagnostics& diagnostics) {
-  const std::uint32_t last = (kind == ElementKind::kUp ? edges : kMaxDoorNumbers) - 1;
+  const std::uint32_t last = numbersAfter(kind, edges) - 1;
   LevelNumber number;
   const bool isNumber = parseNumber(token.text, last, number) == NumberFault::kNone;
   if (isNumber && number.tenThousandths >= 0 && token.text.find('.') == std::string_view::npos)
     return static_cast<std::uint8_t>(number.whole());
-  diagnostics.error({line.number, token.column}, meaningOf(kind) + " must be a whole number between 0 and " +
-                                                     std::to_string(last) + ", not " + quoted(token.text));
+  diagnostics.error({line.number, token.column}, std::string(meaningOf(kind)) +
+                                                     " must be a whole number between 0 and " + std::to_string(last) +
+                                                     ", not " + quoted(token.text));
   return std::nullopt;
 }
 
@@ -69,7 +78,7 @@ std::optional<ElementWord> readElementWord(const LevelLine& line, std::span<cons
   const std::size_t wanted = hasNumber(*kind) ? 2 : 1;
   if (words.size() < wanted) {
     diagnostics.error({line.number, line.end},
-                      "missing number after '" + std::string(wordOf(*kind)) + "': " + meaningOf(*kind));
+                      "missing number after '" + std::string(wordOf(*kind)) + "': " + std::string(meaningOf(*kind)));
     return std::nullopt;
   }
   if (words.size() > wanted) {

@@ -22,11 +22,23 @@ GameRules::GameRules(const Level& level, World& world, std::vector<PlayerState>&
 void GameRules::touch(const Entity& entity, const SegmentRef& segment) {
   const Element* const element = elementOf(segment);
   if (element == nullptr || !entity.exists()) return;
-  if (element->kind == ElementKind::kKey) touched_.keys |= element->bit();
-  if (element->kind != ElementKind::kCheckpoint) return;
-  PlayerState& player = players_[entity.index()];
-  player.checkpoint = static_cast<std::uint16_t>(1 + (element - elements().data()));
-  player.checkpointUp = upOnFaceOf(segment, entity);
+  switch (element->kind) {
+    case ElementKind::kKey:
+      touched_.keys |= element->bit();
+      return;
+    case ElementKind::kCheckpoint: {
+      PlayerState& player = players_[entity.index()];
+      player.checkpoint = static_cast<std::uint16_t>(1 + (element - elements().data()));
+      player.checkpointUp = upOnFaceOf(segment, entity);
+      return;
+    }
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kHazard:
+    case ElementKind::kDoor:
+    case ElementKind::kPlate:
+      return;
+  }
 }
 
 void GameRules::contact(Entity& entity, const Contact& contact) {
@@ -41,10 +53,22 @@ void GameRules::contact(Entity& entity, const Contact& contact) {
 void GameRules::standOrHurt(const Entity& entity, const Contact& contact, Point normal) {
   const Element* const element = elementOf(contact.segment);
   if (element == nullptr) return;
-  if (element->kind == ElementKind::kPlate && Player::isGround(normal)) touched_.plates |= element->bit();
-  if (element->kind != ElementKind::kHazard) return;
-  std::vector<std::uint32_t>& hurt = touched_.atHazard;
-  if (hurt.empty() || hurt.back() != entity.index()) hurt.push_back(entity.index());
+  switch (element->kind) {
+    case ElementKind::kPlate:
+      if (Player::isGround(normal)) touched_.plates |= element->bit();
+      return;
+    case ElementKind::kHazard: {
+      std::vector<std::uint32_t>& hurt = touched_.atHazard;
+      if (hurt.empty() || hurt.back() != entity.index()) hurt.push_back(entity.index());
+      return;
+    }
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kCheckpoint:
+    case ElementKind::kKey:
+    case ElementKind::kDoor:
+      return;
+  }
 }
 
 }  // namespace platon

@@ -101,7 +101,7 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   level->goalAt = draft.goal->at;
   level->elements = std::move(draft.elements);
   for (const Element& element : level->elements) {
-    if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) level->doorNumbers |= element.bit();
+    if (opensDoors(element.kind)) level->doorNumbers |= element.bit();
   }
   level->players = draft.players.value_or(1);
   level->crossings = draft.crossings;

@@ -4,6 +4,7 @@ from fault import PHYSICS, Fault, at_length
 
 GAME = "shared/game/"
 RULES = GAME + "element_rules.cpp"
+ELEMENT = "shared/include/platon/game/element.h"
 GAME_RULES = GAME + "game_rules.cpp"
 PLAYER = GAME + "player.cpp"
 
@@ -15,7 +16,7 @@ GAME_FAULTS = [
     at_length("oneway-without-slack", RULES, "kPlayerApothem - kOnewaySlack;", "kPlayerApothem;",
               "a player that stands a subunit too low falls through a one-way segment",
               "ElementRulesTest.AOnewaySegmentBlocksWhoIsWhollyOnItsLeft"),
-    at_length("oneway-holds-who-is-in-it", RULES, "kOnewaySlack = 64;", "kOnewaySlack = 640;",
+    at_length("oneway-holds-who-is-in-it", ELEMENT, "kOnewaySlack = 64;", "kOnewaySlack = 640;",
               "a one-way segment blocks who is well within it",
               "ElementRulesTest.AOnewaySegmentBlocksWhoIsWhollyOnItsLeft"),
     at_length("oneway-has-no-ends", RULES, "beyond <= beside &&", "false &&",
@@ -40,7 +41,7 @@ GAME_FAULTS = [
     at_length("any-number-opens", RULES, "(open_ & element->bit()) != 0", "open_ != 0",
               "each key opens all doors",
               "ElementRulesTest.ADoorBlocksUnlessItsNumberIsOpen"),
-    at_length("checkpoints-block", RULES, "return !canBlock(element->kind);", "return false;",
+    at_length("checkpoints-block", RULES, "ElementKind::kKey:\n      return true;", "ElementKind::kKey:\n      return false;",
               "checkpoints and keys block",
               "GameRulesTest.AHazardSendsThePlayerToItsLastCheckpointWithTheUpOfThen"),
     at_length("elements-not-asked", GAME + "element_rules.h", "elements_.empty() ? Scope::kContacts : Scope::kSegments",
@@ -77,8 +78,8 @@ GAME_FAULTS = [
     Fault("keys-not-taken", GAME_RULES, "touched_.keys |= element->bit();", ";",
           "a key opens nothing",
           "GameRulesTest.AKeyOpensItsDoorsForEverybody"),
-    at_length("one-checkpoint-for-all", GAME_RULES, "players_[entity.index()];\n  player.checkpoint",
-              "players_[0];\n  player.checkpoint",
+    at_length("one-checkpoint-for-all", GAME_RULES, "players_[entity.index()];\n      player.checkpoint",
+              "players_[0];\n      player.checkpoint",
               "who touches a checkpoint sets it for the first player",
               "GameRulesTest.EveryPlayerReturnsToItsOwnCheckpoint"),
     at_length("checkpoint-of-home", GAME_RULES, "player.checkpointUp = upOnFaceOf(segment, entity);",
@@ -88,7 +89,7 @@ GAME_FAULTS = [
     at_length("checkpoint-off-by-one", GAME_RULES, "(1 + (element - elements().data()))", "(element - elements().data())",
               "the first element is no checkpoint",
               "GameRulesTest.AHazardSendsThePlayerToItsLastCheckpointWithTheUpOfThen"),
-    Fault("plate-from-any-side", GAME_RULES, "ElementKind::kPlate && Player::isGround(normal)", "ElementKind::kPlate",
+    Fault("plate-from-any-side", GAME_RULES, "if (Player::isGround(normal)) touched_", "touched_",
           "a plate is pressed from below",
           "GameRulesTest.APlateIsNotPressedFromBelow"),
     at_length("hazard-is-a-wall", GAME_RULES, "hurt.push_back(entity.index());", ";",
@@ -222,8 +223,7 @@ GAME_FAULTS = [
               "a checkpoint may be nearer to a segment than a player's radius",
               "LevelTest.ACheckpointIsFreeForAPlayerAtAnyAngle"),
     at_length("plates-open-nothing", GAME + "level.cpp",
-              "element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate",
-              "element.kind == ElementKind::kKey",
+              "if (opensDoors(element.kind))", "if (element.kind == ElementKind::kKey)",
               "a level with plates refuses its own states",
               "GameRulesTest.ElementsAreSavedHashedAndRestored"),
     Fault("floor-before-its-plate", GAME + "level_reader.cpp", "  putElementsFirst();\n", "",
@@ -267,8 +267,7 @@ GAME_FAULTS = [
     at_length("hint-for-anything", GAME + "element_words.cpp", "std::min<std::size_t>(2, word.size() / 2)", "9",
               "any word gets a hint",
               "ElementWordsTest.AHintNamesTheNearestWordIfItIsNear"),
-    at_length("edge-of-any-number", GAME + "element_words.cpp", "(kind == ElementKind::kUp ? edges : kMaxDoorNumbers) - 1",
-              "kMaxDoorNumbers - 1",
+    at_length("edge-of-any-number", GAME + "element_words.cpp", "numbersAfter(kind, edges) - 1", "kMaxDoorNumbers - 1",
               "an up segment may name an edge that the face does not have",
               "InvalidLevelTest.EveryErrorIsReportedAtItsPosition"),
     at_length("number-may-follow", GAME + "element_words.cpp", "const std::size_t wanted = hasNumber(*kind) ? 2 : 1;",

@@ -1,12 +1,13 @@
 #include "client/gl/paint/stage_element_painter.h"
 
 #include <cstddef>
-#include <string>
+#include <optional>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
+#include "client/gl/shader_text.h"
 #include "client/scene/look/stage_walls.h"
 
 namespace platon {
@@ -25,29 +26,47 @@ constexpr glm::vec4 kLock(1.0F, 0.83F, 0.42F, 1);
 constexpr glm::vec4 kPlate(0.87F, 0.75F, 1.0F, 1);
 constexpr float kOpenAlpha = 0.45F;
 
-// The middle of the number of an element, relative to the middle of its segment.
-glm::vec2 offsetOf(const ElementDrawing& drawing, glm::vec2 up) {
-  if (drawing.kind == ElementKind::kKey) return kKeyNumber * kWidth * glm::vec2(up.y, -up.x);
-  if (drawing.kind != ElementKind::kPlate) return {0, 0};
-  const glm::vec2 along = drawing.ends.b - drawing.ends.a;
-  const float length = glm::length(along);
-  return length > 0 ? kPlateNumber * kWidth / length * glm::vec2(-along.y, along.x) : glm::vec2(0);
-}
+// The number of an element, as it is drawn.
+struct ShownNumber {
+  glm::vec2 offset{0};  // of its middle from the middle of the segment
+  glm::vec4 colour = kLock;
+  bool high = false;  // on the walls of the element, not flat on the face
+};
 
-glm::vec4 colourOf(const ElementDrawing& drawing, bool active) {
-  glm::vec4 colour = drawing.kind == ElementKind::kPlate ? kPlate : kLock;
-  if (drawing.kind == ElementKind::kDoor && !active) colour.a = kOpenAlpha;
-  return colour;
-}
-
-bool showsNumber(const ElementDrawing& drawing, bool active) {
-  if (drawing.kind == ElementKind::kKey) return active;
-  return drawing.kind == ElementKind::kDoor || drawing.kind == ElementKind::kPlate;
+std::optional<ShownNumber> shownNumberOf(const ElementDrawing& drawing, bool active, glm::vec2 up) {
+  switch (drawing.kind) {
+    case ElementKind::kKey:
+      if (!active) return std::nullopt;
+      return ShownNumber{kKeyNumber * kWidth * glm::vec2(up.y, -up.x), kLock, true};
+    case ElementKind::kDoor:
+      return ShownNumber{{0, 0}, active ? kLock : glm::vec4(glm::vec3(kLock), kOpenAlpha), active};
+    case ElementKind::kPlate: {
+      const glm::vec2 along = drawing.ends.b - drawing.ends.a;
+      const float length = glm::length(along);
+      const glm::vec2 left = length > 0 ? glm::vec2(-along.y, along.x) / length : glm::vec2(0);
+      return ShownNumber{kPlateNumber * kWidth * left, kPlate, false};
+    }
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kHazard:
+    case ElementKind::kCheckpoint:
+      return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-StageElementPainter::StageElementPainter() : program_("element") {
+std::string elementKindsOfShader() {
+  std::string text = "const int kKinds = " + std::to_string(kElementKinds.size()) + ";\n";
+  for (std::size_t kind = 0; kind < kElementKinds.size(); ++kind)
+    text += "const int kind_" + std::string(wordOf(kElementKinds[kind])) + " = " + std::to_string(kind) + ";\n";
+  return text;
+}
+
+StageElementPainter::StageElementPainter()
+    : program_(elementKindsOfShader() + shaderText("element.vert"),
+               elementKindsOfShader() + shaderText("element.frag")) {
   glBindVertexArray(array_.name());
   for (const GLuint attribute : {0U, 1U}) {
     glEnableVertexAttribArray(attribute);
@@ -97,12 +116,12 @@ void StageElementPainter::addNumbers(const Scene& scene, const FaceView& view, b
                                      TextPainter& text) const {
   for (const ElementDrawing& drawing : scene.stage->faces[static_cast<std::size_t>(view.face)].elements) {
     const bool active = active_[drawing.element] != 0;
-    const bool high = active && drawing.kind != ElementKind::kPlate;
-    if (!drawing.own || !showsNumber(drawing, active) || high != raised) continue;
+    const auto shown = shownNumberOf(drawing, active, up);
+    if (!drawing.own || !shown || shown->high != raised) continue;
     const std::string number = std::to_string(drawing.number);
-    const glm::vec2 middle = (drawing.ends.a + drawing.ends.b) / 2.0F + offsetOf(drawing, up);
+    const glm::vec2 middle = (drawing.ends.a + drawing.ends.b) / 2.0F + shown->offset;
     const float size = kWidth * kNumberSize * (number.size() > 1 ? kTwoDigits : 1);
-    text.addCentred(number, middle, size * up, colourOf(drawing, active));
+    text.addCentred(number, middle, size * up, shown->colour);
   }
 }
 

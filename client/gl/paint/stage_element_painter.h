@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "client/gl/gl_handle.h"
@@ -10,6 +11,9 @@
 #include "client/scene/scene.h"
 
 namespace platon {
+
+/// The constants by which the shader of the elements names their kinds: kind_oneway …, and their number kKinds.
+std::string elementKindsOfShader();
 
 /// Draws what is flat of the elements of a level. With elementWallsOf(), each kind has a pattern of its own, so that
 /// colour is never the only sign:

@@ -140,12 +140,14 @@ void main() {
   pixel = max(fwidth(at.y), 1e-4);
   vec2 fromMiddle = (at.x - extent / 2.0) * direction + at.y * vec2(-direction.y, direction.x);
   vec2 p = vec2(dot(fromMiddle, vec2(up.y, -up.x)), dot(fromMiddle, up));
-  if (kind == 0) oneway();
-  else if (kind == 1) upwards();
-  else if (kind == 2) hazard();
-  else if (kind == 3) checkpoint(p);
-  else if (kind == 4) key(p);
-  else if (kind == 5) door(p);
-  else plate();
+  switch (kind) {
+    case kind_oneway: oneway(); break;
+    case kind_up: upwards(); break;
+    case kind_hazard: hazard(); break;
+    case kind_checkpoint: checkpoint(p); break;
+    case kind_key: key(p); break;
+    case kind_door: door(p); break;
+    case kind_plate: plate(); break;
+  }
   result = vec4(ink.rgb * lit, ink.a * inFace());
 }

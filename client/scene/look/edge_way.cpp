@@ -19,9 +19,19 @@ bool cross(const Ribbon& ends, glm::dvec2 from, glm::dvec2 to) {
 }
 
 bool blocks(const ElementDrawing& drawing, const ElementStates& states) {
-  if (drawing.kind == ElementKind::kPlate) return true;
-  const bool opens = drawing.kind == ElementKind::kDoor || drawing.kind == ElementKind::kUp;
-  return opens && drawing.element < states.active.size() && states.active[drawing.element] != 0;
+  switch (drawing.kind) {
+    case ElementKind::kPlate:
+      return true;
+    case ElementKind::kDoor:
+    case ElementKind::kUp:
+      return drawing.element < states.active.size() && states.active[drawing.element] != 0;
+    case ElementKind::kOneway:
+    case ElementKind::kHazard:
+    case ElementKind::kCheckpoint:
+    case ElementKind::kKey:
+      return false;
+  }
+  return false;
 }
 
 }  // namespace

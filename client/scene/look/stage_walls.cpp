@@ -34,11 +34,21 @@ class ElementWalls {
   }
 
   void add(ElementKind kind) {
-    if (kind == ElementKind::kOneway) addRod({0, 0}, {length_, 0}, kWidth / 3, kLedge, wall_);
-    if (kind == ElementKind::kUp) addBlocks();
-    if (kind == ElementKind::kHazard) addZigzag();
-    if (kind == ElementKind::kDoor) addRails();
-    if (kind == ElementKind::kPlate) addPlate();
+    switch (kind) {
+      case ElementKind::kOneway:
+        return addRod({0, 0}, {length_, 0}, kWidth / 3, kLedge, wall_);
+      case ElementKind::kUp:
+        return addBlocks();
+      case ElementKind::kHazard:
+        return addZigzag();
+      case ElementKind::kDoor:
+        return addRails();
+      case ElementKind::kPlate:
+        return addPlate();
+      case ElementKind::kCheckpoint:
+      case ElementKind::kKey:
+        return;
+    }
   }
 
  private:
@@ -128,7 +138,7 @@ EdgeMeetings edgeMeetingsOf(const StageModel& stage) {
   std::vector<std::vector<Wall>> walls = wallsOf(stage);
   for (std::size_t face = 0; face < walls.size(); ++face) {
     for (const ElementDrawing& drawing : stage.faces[face].elements) {
-      if (drawing.kind == ElementKind::kCheckpoint || drawing.kind == ElementKind::kKey) continue;
+      if (!canBlock(drawing.kind)) continue;
       walls[face].push_back({drawing.ends.a, drawing.ends.b});
     }
   }

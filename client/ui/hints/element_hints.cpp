@@ -16,16 +16,26 @@ constexpr std::uint32_t kElementReadTicks = 4 * kTicksPerSecond;  // to read a h
 constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // after which the next kind has its turn
 constexpr double kNearElement = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
 
-// In the order of kElementKinds. A level with doors has keys or plates, which tell of them.
-constexpr std::array<std::string_view, kElementKinds.size()> kHints = {
-    "A ledge with arrows lets you pass the way they point",
-    "A block is filled and solid while its arrow points to the top edge of the face, or the left one of two",
-    "A zigzag sends you back to the start, or to your last flag",
-    "Touch a flag, and a zigzag sends you back only to there",
-    "A key opens all doors with its number",
-    "",
-    "The doors with the number of a plate are open while somebody stands on it",
-};
+// What a kind does; empty for doors: a level with doors has keys or plates, which tell of them.
+std::string_view hintOf(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::kOneway:
+      return "A ledge with arrows lets you pass the way they point";
+    case ElementKind::kUp:
+      return "A block is filled and solid while its arrow points to the top edge of the face, or the left one of two";
+    case ElementKind::kHazard:
+      return "A zigzag sends you back to the start, or to your last flag";
+    case ElementKind::kCheckpoint:
+      return "Touch a flag, and a zigzag sends you back only to there";
+    case ElementKind::kKey:
+      return "A key opens all doors with its number";
+    case ElementKind::kDoor:
+      return {};
+    case ElementKind::kPlate:
+      return "The doors with the number of a plate are open while somebody stands on it";
+  }
+  return {};
+}
 
 std::uint8_t bit(std::size_t kind) { return static_cast<std::uint8_t>(1U << kind); }
 
@@ -71,7 +81,7 @@ bool parse(std::string_view text, UntoldElements& untold) {
 std::uint8_t ElementHints::nextOf(std::uint8_t open) const {
   for (std::size_t step = 1; step <= kNone + std::size_t{1}; ++step) {
     const std::size_t kind = (kind_ + step) % (kNone + std::size_t{1});
-    if ((open & bit(kind)) != 0 && !kHints[kind].empty()) return static_cast<std::uint8_t>(kind);
+    if ((open & bit(kind)) != 0 && !hintOf(kElementKinds[kind]).empty()) return static_cast<std::uint8_t>(kind);
   }
   return kNone;
 }
@@ -92,6 +102,8 @@ void ElementHints::observe(const PlayerState& player, const EntityState& ball, s
   met_ &= static_cast<std::uint8_t>(~bit(kind_));
 }
 
-std::string_view ElementHints::hint() const { return kind_ == kNone ? std::string_view() : kHints[kind_]; }
+std::string_view ElementHints::hint() const {
+  return kind_ == kNone ? std::string_view() : hintOf(kElementKinds[kind_]);
+}
 
 }  // namespace platon

@@ -13,6 +13,7 @@ namespace platon {
 
 /// Kinds of elements that a player has not been told about yet: bit K of `mask` is kElementKinds[K].
 struct UntoldElements {
+  static_assert(kElementKinds.size() <= 8, "a mask has a bit for each kind");
   std::uint8_t mask = (1U << kElementKinds.size()) - 1;
 
   friend bool operator==(const UntoldElements&, const UntoldElements&) = default;

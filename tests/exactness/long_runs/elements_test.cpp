@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "tests/shared/game/real_face.h"
 #include "tests/sim/churn.h"
 #include "tests/support/element_level.h"
+#include "tests/support/files.h"
 #include "tests/support/run/repetitions.h"
 
 namespace platon::long_runs::elements_test {
@@ -59,6 +61,22 @@ class ElementsTest : public testing::Test {
   const Convex shape_ = playerShape();
   std::size_t passed_ = 0;
 };
+
+// The level has an element of each kind: level_drawing_test.
+TEST_F(ElementsTest, TheOracleKnowsTheWordsOfAllKinds) {
+  const LevelResult result = loadLevel(readText("tests/levels/picture/elements.level"));
+  ASSERT_TRUE(result.level);
+  EXPECT_EQ(step_check::StepChecker(sceneOf(*result.level, shape_)).finishTick(), "");
+}
+
+TEST_F(ElementsTest, TheRandomLevelsHaveEveryKind) {
+  std::set<ElementKind> kinds;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto level = levelOf(seed);
+    for (const Element& element : level->elements) kinds.insert(element.kind);
+  }
+  EXPECT_EQ(kinds, std::set(kElementKinds.begin(), kElementKinds.end()));
+}
 
 TEST_F(ElementsTest, InvariantsHoldForPlayers) {
   onEachLevel(step_check::runLength(60, 6000), [&](const auto& level, std::uint64_t seed) {

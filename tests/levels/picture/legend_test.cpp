@@ -9,9 +9,7 @@
 namespace platon::legend_test {
 namespace {
 
-const std::set<ElementKind> kAll = {ElementKind::kOneway,     ElementKind::kUp,  ElementKind::kHazard,
-                                    ElementKind::kCheckpoint, ElementKind::kKey, ElementKind::kDoor,
-                                    ElementKind::kPlate};
+const std::set<ElementKind> kAll(kElementKinds.begin(), kElementKinds.end());
 
 TEST(Legend, ShowsTheMarksInARow) {
   const Tints tints(SolidKind::kHexahedron);

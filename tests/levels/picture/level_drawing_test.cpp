@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/files.h"
 #include "tests/support/test_levels.h"
 
 namespace platon::level_drawing_test {
@@ -107,6 +108,12 @@ TEST(LevelDrawing, ElementsKeepTheirKindAndNumber) {
     EXPECT_EQ(line.element->kind, line.a.y == 100 ? ElementKind::kDoor : ElementKind::kPlate);
     EXPECT_EQ(line.element->number, 3);
   }
+}
+
+// docs/level_format.md shows its picture, and the golden pictures of the client are of it.
+TEST(LevelDrawing, TheLevelWithEveryElementHasEveryKind) {
+  const auto level = levelOf(readText("tests/levels/picture/elements.level"));
+  EXPECT_EQ(LevelDrawing(*level).kinds(), std::set(kElementKinds.begin(), kElementKinds.end()));
 }
 
 TEST(LevelDrawing, TheArrowsOfUpPointToTheirEdgeAlsoOnTheOtherFace) {

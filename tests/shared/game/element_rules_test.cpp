@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "tests/shared/game/played_elements.h"
@@ -171,6 +172,37 @@ TEST(ElementRulesTest, OnlyWhatCanLetAPlayerPassIsAskedFor) {
   for (std::uint32_t segment = 0; segment < 8; ++segment)
     EXPECT_EQ(rules.mayPierce(0, segment), segment >= 2 && segment < 7) << segment;
   EXPECT_FALSE(rules.mayPierce(1, 3));
+}
+
+// A segment of each kind at y = 50, with the doors open and closed and a player of each up on both of its sides.
+TEST(ElementRulesTest, EveryKindBlocksWhomItsTraitsName) {
+  for (const ElementKind kind : kElementKinds) {
+    const std::string word = std::string(wordOf(kind)) + (hasNumber(kind) ? " 2" : "");
+    const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 " + word});
+    Game game(level);
+    game.advance(std::vector<Input>{Input{Input::kPresent}});
+    World world = game.world();
+    std::set<bool> answers;
+    for (const std::uint32_t open : {0U, ~0U}) {
+      for (const std::int32_t degrees : {0, 90, 180, 270}) {
+        for (const std::int32_t y : {units(20), units(80)}) {
+          const SegmentRef segment{
+              .part = 0, .ends = level->segments[0][0], .toHome = Angle::degrees(degrees), .position = {0, y}};
+          answers.insert(ElementRules(*level, open).pierce(Entity(world, 0), segment));
+        }
+      }
+    }
+    switch (traitsOf(kind).blocking) {
+      case ElementBlocking::kNobody:
+        EXPECT_EQ(answers, std::set{true}) << word;
+        break;
+      case ElementBlocking::kSome:
+        EXPECT_EQ(answers, (std::set{true, false})) << word;
+        break;
+      case ElementBlocking::kEverybody:
+        EXPECT_EQ(answers, std::set{false}) << word;
+    }
+  }
 }
 
 TEST(ElementRulesTest, ADoorBlocksUnlessItsNumberIsOpen) {

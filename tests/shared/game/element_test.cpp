@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <utility>
+
+#include "tests/support/files.h"
 
 namespace platon::element_test {
 namespace {
@@ -16,6 +20,21 @@ TEST(ElementTest, EveryKindHasAWordOfItsOwn) {
   EXPECT_EQ(elementKindOf("wall"), std::nullopt);
   EXPECT_EQ(elementKindOf(""), std::nullopt);
   EXPECT_EQ(elementKindOf("Door"), std::nullopt);
+}
+
+TEST(ElementTest, TheDocsDescribeEveryWord) {
+  const std::string format = readText("docs/level_format.md");
+  const std::string playing = readText("docs/playing.md");
+  std::size_t last = 0;
+  for (const ElementKind kind : kElementKinds) {
+    const std::string row = "\n| `" + std::string(wordOf(kind)) + (hasNumber(kind) ? " K" : "") + "` | ";
+    const std::size_t drawn = format.find(row);
+    ASSERT_NE(drawn, std::string::npos) << wordOf(kind) << " in the pictures of level_format.md";
+    const std::size_t described = format.find(row, drawn + 1);
+    ASSERT_NE(described, std::string::npos) << wordOf(kind) << " in the elements of level_format.md";
+    EXPECT_LT(std::exchange(last, described), described) << "the editor goes through the words in this order";
+    EXPECT_NE(playing.find(row), std::string::npos) << wordOf(kind) << " in the elements of playing.md";
+  }
 }
 
 TEST(ElementTest, ANeedIsAKeyAPlateOrACheckpoint) {

@@ -20,22 +20,91 @@ inline constexpr std::array<ElementKind, 7> kElementKinds = {
     ElementKind::kOneway, ElementKind::kUp,   ElementKind::kHazard, ElementKind::kCheckpoint,
     ElementKind::kKey,    ElementKind::kDoor, ElementKind::kPlate};
 
+/// What the number after a word counts.
+enum class ElementNumber : std::uint8_t {
+  kNone,  ///< no number follows
+  kEdge,  ///< edges of the face
+  kDoor   ///< doors, and what opens them
+};
+
+/// Whom a segment blocks.
+enum class ElementBlocking : std::uint8_t {
+  kNobody,    ///< it is only touched
+  kSome,      ///< it depends on the player or on the state of the game
+  kEverybody  ///< at any time
+};
+
+/// What a segment does to who touches it, apart from blocking.
+enum class ElementEffect : std::uint8_t {
+  kNone,
+  kSendBack,    ///< the player returns to its last checkpoint, or to the start
+  kCheckpoint,  ///< the player returns there from then on
+  kOpen         ///< opens the doors of its number
+};
+
+struct ElementTraits {
+  std::string_view word;  ///< in level files
+  ElementNumber number;
+  ElementBlocking blocking;
+  ElementEffect effect;
+};
+
+/// What the code outside of the rules needs to know of a kind.
+constexpr ElementTraits traitsOf(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::kOneway:
+      return {"oneway", ElementNumber::kNone, ElementBlocking::kSome, ElementEffect::kNone};
+    case ElementKind::kUp:
+      return {"up", ElementNumber::kEdge, ElementBlocking::kSome, ElementEffect::kNone};
+    case ElementKind::kHazard:
+      return {"hazard", ElementNumber::kNone, ElementBlocking::kEverybody, ElementEffect::kSendBack};
+    case ElementKind::kCheckpoint:
+      return {"checkpoint", ElementNumber::kNone, ElementBlocking::kNobody, ElementEffect::kCheckpoint};
+    case ElementKind::kKey:
+      return {"key", ElementNumber::kDoor, ElementBlocking::kNobody, ElementEffect::kOpen};
+    case ElementKind::kDoor:
+      return {"door", ElementNumber::kDoor, ElementBlocking::kSome, ElementEffect::kNone};
+    case ElementKind::kPlate:
+      return {"plate", ElementNumber::kDoor, ElementBlocking::kEverybody, ElementEffect::kOpen};
+  }
+  return {};
+}
+static_assert(traitsOf(static_cast<ElementKind>(kElementKinds.size())).word.empty(), "kElementKinds lacks a kind");
+
 /// The word in level files: "oneway" …
-std::string_view wordOf(ElementKind kind);
+constexpr std::string_view wordOf(ElementKind kind) { return traitsOf(kind).word; }
 /// The kind with this word; nothing when there is none.
 std::optional<ElementKind> elementKindOf(std::string_view word);
 /// Whether a number follows the word.
-constexpr bool hasNumber(ElementKind kind) {
-  return kind == ElementKind::kUp || kind == ElementKind::kKey || kind == ElementKind::kDoor ||
-         kind == ElementKind::kPlate;
-}
+constexpr bool hasNumber(ElementKind kind) { return traitsOf(kind).number != ElementNumber::kNone; }
 /// Whether a segment of this kind can block a player. The others are only touched.
-constexpr bool canBlock(ElementKind kind) { return kind != ElementKind::kCheckpoint && kind != ElementKind::kKey; }
+constexpr bool canBlock(ElementKind kind) { return traitsOf(kind).blocking != ElementBlocking::kNobody; }
 /// Whether a segment of this kind blocks all players at any time.
-constexpr bool blocksAlways(ElementKind kind) { return kind == ElementKind::kHazard || kind == ElementKind::kPlate; }
+constexpr bool blocksAlways(ElementKind kind) { return traitsOf(kind).blocking == ElementBlocking::kEverybody; }
+/// Whether it returns who touches it to the last checkpoint, or to the start.
+constexpr bool sendsBack(ElementKind kind) { return traitsOf(kind).effect == ElementEffect::kSendBack; }
+/// Whether it opens the doors of its number.
+constexpr bool opensDoors(ElementKind kind) { return traitsOf(kind).effect == ElementEffect::kOpen; }
 
 /// Numbers of keys, doors and plates are below this: a door is one bit of the game's state.
 inline constexpr std::uint32_t kMaxDoorNumbers = 32;
+
+/// How many numbers can follow the word, from 0 on; 0 if none follows. `edges` is the number of edges of a face.
+constexpr std::uint32_t numbersAfter(ElementKind kind, std::uint32_t edges) {
+  switch (traitsOf(kind).number) {
+    case ElementNumber::kNone:
+      return 0;
+    case ElementNumber::kEdge:
+      return edges;
+    case ElementNumber::kDoor:
+      return kMaxDoorNumbers;
+  }
+  return 0;
+}
+
+/// How much less than its apothem, in subunits, the centre of a player that stands on a one-way segment may be away
+/// from it. More than the offset of segments that meet, so that a player who runs onto one does not fall through.
+inline constexpr std::int32_t kOnewaySlack = 64;
 
 /// A segment of a level with a word.
 struct Element {

@@ -1,7 +1,6 @@
 #include "client/gl/paint/stage_element_painter.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 #include "client/gl/renderer.h"
+#include "client/gl/shader_text.h"
 #include "client/scene/camera_target.h"
 #include "platon/game/game.h"
 #include "tests/client/gl/golden_picture.h"
@@ -82,7 +82,21 @@ long differingPixels(const Image& a, const Image& b) {
   return count;
 }
 
-const std::array<std::string, 7> kWords{"oneway", "up 2", "hazard", "checkpoint", "key 5", "door 5", "plate 5"};
+// "oneway", "up 2" … "plate 2": one of each kind.
+std::vector<std::string> oneOfEachKind() {
+  std::vector<std::string> words;
+  for (const ElementKind kind : kElementKinds)
+    words.push_back(std::string(wordOf(kind)) + (hasNumber(kind) ? " 2" : ""));
+  return words;
+}
+
+const std::vector<std::string> kWords = oneOfEachKind();
+
+TEST(StageElementPainterTest, TheShaderHasACaseForEveryKind) {
+  for (const ElementKind kind : kElementKinds)
+    EXPECT_NE(shaderText("element.frag").find("case kind_" + std::string(wordOf(kind)) + ":"), std::string::npos)
+        << wordOf(kind);
+}
 
 TEST_F(ElementPictureTest, EveryKindDiffersFromAWallAndFromEveryOtherWithoutColour) {
   std::vector<Image> images{draw(sceneWith("-120 0 120 0\n"))};

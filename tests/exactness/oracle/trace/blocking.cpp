@@ -56,15 +56,27 @@ bool Blocking::forbids(const MapLine& line, const TraceInstance& instance) {
     case Word::kCheckpoint:
     case Word::kKey:
       return false;
-    default:
+    case Word::kHazard:
+    case Word::kPlate:
       return true;
   }
+  return true;
 }
 
 bool Blocking::blocksAlways(const MapLine& line) const {
   if (line.element < 0) return true;
-  const Word word = map_.element(line.element).word;
-  return word == Word::kHazard || word == Word::kPlate;
+  switch (map_.element(line.element).word) {
+    case Word::kHazard:
+    case Word::kPlate:
+      return true;
+    case Word::kOneway:
+    case Word::kUp:
+    case Word::kDoor:
+    case Word::kCheckpoint:
+    case Word::kKey:
+      return false;
+  }
+  return false;
 }
 
 bool Blocking::blocks(const MapLine& line, const TraceInstance& start) {

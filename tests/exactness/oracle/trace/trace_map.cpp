@@ -25,8 +25,19 @@ std::optional<Word> wordOf(const std::string& text) {
 
 /// The number of values that the number after the word can have; 0 if no number follows.
 std::int64_t numbersAfter(Word word, std::size_t edges) {
-  if (word == Word::kUp) return static_cast<std::int64_t>(edges);
-  return word == Word::kKey || word == Word::kDoor || word == Word::kPlate ? kDoorNumbers : 0;
+  switch (word) {
+    case Word::kUp:
+      return static_cast<std::int64_t>(edges);
+    case Word::kKey:
+    case Word::kDoor:
+    case Word::kPlate:
+      return kDoorNumbers;
+    case Word::kOneway:
+    case Word::kHazard:
+    case Word::kCheckpoint:
+      return 0;
+  }
+  return 0;
 }
 
 /// The edge moved outwards by kBeyond subunits and shortened by as much at both ends, so that it lies in the adjacent

@@ -1,4 +1,4 @@
-#include "levels/solve/plates.h"
+#include "levels/solve/uses.h"
 
 #include <algorithm>
 
@@ -17,13 +17,35 @@ std::int64_t squaredDistance(Point point, const Segment& segment) {
   return static_cast<std::int64_t>(beside * beside / squaredLength(along));
 }
 
-}  // namespace
-
 bool standsOn(const Game& game, std::uint32_t slot, const Element& plate) {
   constexpr std::int64_t reach = kPlayerRadius + kSubunitsPerUnit / 8;
   const EntityState& entity = game.world().entities()[slot];
   if (entity.part != plate.face || game.player(slot).ground == Point()) return false;
   return (game.openDoors() & plate.bit()) != 0 && squaredDistance(entity.position, plate.ends) <= reach * reach;
+}
+
+bool returnsTo(const Game& game, std::uint32_t slot, const Element& checkpoint) {
+  const std::uint16_t last = game.player(slot).checkpoint;
+  return last != 0 && game.level().elements[last - 1U] == checkpoint;
+}
+
+}  // namespace
+
+bool uses(const Game& game, std::uint32_t slot, const Element& element) {
+  switch (element.kind) {
+    case ElementKind::kKey:
+      return game.isTaken(element);
+    case ElementKind::kPlate:
+      return standsOn(game, slot, element);
+    case ElementKind::kCheckpoint:
+      return returnsTo(game, slot, element);
+    case ElementKind::kOneway:
+    case ElementKind::kUp:
+    case ElementKind::kHazard:
+    case ElementKind::kDoor:
+      return false;
+  }
+  return false;
 }
 
 }  // namespace platon
