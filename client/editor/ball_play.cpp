@@ -1,14 +1,31 @@
 #include "client/editor/ball_play.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace platon {
 
-BallPlay::BallPlay(std::shared_ptr<const Level> level)
-    : game_(std::move(level)), stage_(makeStageModel(game_.level())) {
-  tick(Input{Input::kPresent});
+namespace {
+
+constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
+constexpr double kMaxSeconds = 0.1;  // of play in one picture
+
+}  // namespace
+
+BallPlay::BallPlay(std::shared_ptr<const Level> level, const Camera& camera)
+    : game_(std::move(level)), stage_(makeStageModel(game_.level())), camera_(camera) {
+  tick(Input());
   before_ = snapshotOf(game_, 0);
+}
+
+void BallPlay::advance(double seconds, bool menuOpen) {
+  untilTick_ += std::min(seconds, kMaxSeconds);
+  for (; untilTick_ >= kTickSeconds; untilTick_ -= kTickSeconds) {
+    const HeldKeys held = mapper_.takeHeld();
+    tick(menuOpen ? Input() : steering_.input(held, 0, ControlFrame::kPlayer));
+  }
+  camera_.lerp(scene().focus, stage_->mesh, seconds);
 }
 
 void BallPlay::tick(Input input) {
@@ -18,7 +35,8 @@ void BallPlay::tick(Input input) {
   attempt_.observe(game_.tick(), game_.player(0));
 }
 
-Scene BallPlay::scene(double fraction) const {
+Scene BallPlay::scene() const {
+  const double fraction = untilTick_ / kTickSeconds;
   SceneSource source;
   source.stage = stage_;
   source.game = &game_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -31,6 +32,26 @@ std::set<int> textLinesWithErrors(const LevelDocument& document) {
 }
 
 }  // namespace
+
+void UndoHistory::keep(std::string before) {
+  future_.clear();
+  past_.push_back(std::move(before));
+  std::size_t bytes = std::accumulate(past_.begin(), past_.end(), std::size_t{0},
+                                      [](std::size_t sum, const std::string& text) { return sum + text.size(); });
+  while (past_.size() > 1 && (past_.size() > kMaxTexts || bytes > kMaxBytes)) {
+    bytes -= past_.front().size();
+    past_.pop_front();
+  }
+}
+
+std::optional<std::string> UndoHistory::move(std::deque<std::string>& from, std::deque<std::string>& to,
+                                             std::string present) {
+  if (from.empty()) return std::nullopt;
+  to.push_back(std::move(present));
+  std::string text = std::move(from.back());
+  from.pop_back();
+  return text;
+}
 
 EditedLevel::EditedLevel(std::string_view text, bool saved) : document_(text) {
   if (!document_.valid() && !showValidPart(true)) showValidPart(false);
@@ -84,6 +105,11 @@ void EditedLevel::reload(std::string_view text) {
 void EditedLevel::update() {
   text_ = document_.text();
   faulty_.clear();
+  const std::shared_ptr<const Level>& level = document_.level();
+  if (level && (!idle_ || idle_->sharedLevel() != level)) {
+    stage_ = makeStageModel(*level);
+    idle_.emplace(level);
+  }
   std::vector<EditedSegment> present = ordered(document_.segments());
   if (document_.valid()) {
     shown_ = std::move(present);

@@ -8,10 +8,21 @@
 
 namespace platon {
 
+/// A place on a face: level units in the frame of the face.
+struct FacePlace {
+  int face = 0;
+  glm::dvec2 place{0};
+
+  friend bool operator==(const FacePlace&, const FacePlace&) = default;
+};
+
 /// The word of a segment with its number. Without a kind, it is a plain segment.
 struct SegmentWord {
   std::optional<ElementKind> kind;
   int number = 0;  ///< counts only if hasNumber(kind)
+
+  /// Whether the number is that of an edge of the face.
+  bool namesEdge() const { return kind && traitsOf(*kind).number == ElementNumber::kEdge; }
 
   friend bool operator==(const SegmentWord& a, const SegmentWord& b) {
     return a.kind == b.kind && (!a.kind || !hasNumber(*a.kind) || a.number == b.number);

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
+#include <vector>
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec4.hpp>
-
-#include "client/editor/face_picker.h"
+#include "client/editor/picking.h"
 #include "client/ui/solid_text.h"
-#include "client/ui/text_scale.h"
 #include "levels/reach/upright_faces.h"
 
 namespace platon {
 namespace {
 
-constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
-constexpr double kMaxSeconds = 0.1;  // of play in one picture
 constexpr std::size_t kLongestError = 150;
 
 std::string placeText(const FacePlace& at) {
@@ -32,60 +26,112 @@ std::string firstError(std::string_view file, const std::vector<Diagnostic>& fou
 
 }  // namespace
 
-Editor::Editor(std::string file, EditedLevel level) : file_(std::move(file)), level_(std::move(level)) {
-  showLevel();
-  const Marker& start = stage_->start;
+Editor::Editor(std::string file, EditedLevel level)
+    : file_(std::move(file)), level_(std::move(level)), tools_(level_), menu_(level_) {
+  const Marker& start = level_.stage()->start;
   view_.showAll(mesh(), mesh().pose(start.face, start.place, start.angle));
 }
 
 void Editor::resize(std::uint32_t w, std::uint32_t h, double uiScale) {
   if (w == 0 || h == 0) return;
-  width_ = w;
-  height_ = h;
-  playCamera_.resize(w, h);
-  menu_.resize(Overlay::widthFor(w, h), textScale(uiScale, h));
+  view_.resize(w, h);
+  if (play_) play_->resize(w, h);
+  menu_.resize(w, h, uiScale);
+}
+
+void Editor::handle(const PointerEvent& event) {
+  using Kind = PointerEvent::Kind;
+  if (menu_.isOpen()) {
+    view_.look(event);
+    return menu_.handle(event);
+  }
+  view_.handle(event, mesh(), !play_);
+  const Camera seen = camera();
+  tools_.move(event, seen);
+  if (event.button != PointerEvent::Button::kLeft) return;
+  bool edited = false;
+  if (event.kind == Kind::kPress && tools_.pointer()) {
+    edited = tools_.press(event, seen);
+    if (tools_.tool() == EditTool::kPlay) placeBall();
+  }
+  if (event.kind == Kind::kRelease) edited = tools_.release();
+  if (edited) message_.clear();
+}
+
+void Editor::handle(const KeyEvent& event) {
+  if (menu_.isOpen()) {
+    if (play_ && event.kind == KeyEvent::Kind::kRelease) play_->handle(event, true);
+    return menu_.handle(event);
+  }
+  if (event.kind == KeyEvent::Kind::kCharacter) return;
+  if (event.key == Key::kF11 && event.kind == KeyEvent::Kind::kPress) fullscreen_ = !fullscreen_;
+  if (event.key == Key::kF1 && event.kind == KeyEvent::Kind::kPress) help_ = !help_;
+  if (play_) return handleInPlay(event);
+  if (event.kind == KeyEvent::Kind::kRelease || view_.handle(event, mesh())) return;
+  if (event.ctrl) return handleCommand(event);
+  if (event.kind == KeyEvent::Kind::kPress) handleEdit(event.key, event.shift);
+}
+
+void Editor::handleInPlay(const KeyEvent& event) {
+  const bool isCommand = event.ctrl && event.kind != KeyEvent::Kind::kRelease;
+  if (event.key == Key::kEscape && event.kind == KeyEvent::Kind::kPress) {
+    play_.reset();
+  } else if (!isCommand) {
+    play_->handle(event, false);
+  }
+}
+
+void Editor::handleCommand(const KeyEvent& event) {
+  if (event.key == Key::kS) menu_.askToSave();
+  if (event.key == Key::kY || event.key == Key::kZ) undo(event.key == Key::kZ && !event.shift);
+}
+
+void Editor::undo(bool back) {
+  const std::shared_ptr<const Level> before = level_.document().level();
+  const bool done = back ? level_.undo() : level_.redo();
+  message_ = done ? "" : back ? "nothing to undo" : "nothing to redo";
+  showOther(before);
+}
+
+void Editor::handleEdit(Key key, bool shift) {
+  const bool leaves = key == Key::kEscape && !tools_.isHolding();
+  if (tools_.handle(key, shift)) message_.clear();
+  if (leaves) askToLeave();
+  if (key == Key::kC && tools_.pointer()) view_.centre(mesh().pose(tools_.pointer()->face, {0, 0}, 0));
+  if (key == Key::kH) {
+    showReached_ = !showReached_;
+    setReport(std::move(report_));
+  }
 }
 
 void Editor::markSaved() {
   level_.markSaved();
   message_ = level_.document().valid() ? "saved" : "saved, but nobody can play it before its error is corrected";
-  if (leaveWhenSaved_) leaving_ = true;
+  menu_.endSave(true);
 }
 
 void Editor::failSave(const std::string& fault) {
   message_ = "not saved: " + fault;
-  leaveWhenSaved_ = false;
+  menu_.endSave(false);
 }
 
 void Editor::reload(std::string_view text) {
+  const std::shared_ptr<const Level> before = level_.document().level();
   level_.reload(text);
-  selected_.reset();
-  showLevel();
+  showOther(before);
   message_ = "another program has changed the file: its text is shown";
 }
 
-void Editor::edit(const std::function<void(LevelDocument&)>& change) {
-  level_.edit(change);
-  message_.clear();
-  showLevel();
+// Places that are marked for one solid may not be on another one.
+void Editor::showOther(const std::shared_ptr<const Level>& before) {
+  tools_.letGo();
+  const Level& now = *level_.document().level();
+  if (now.solid != before->solid || now.faceSize != before->faceSize) below_.reset();
 }
 
-// The indices of segments change with the text.
-void Editor::showLevel() {
-  if (selected_ && *selected_ >= segments().size()) selected_.reset();
-  hovered_.reset();
-  gesture_.reset();
-  if (shown_ == level_.document().level()) return;
-  const SolidKind before = shown_ ? shown_->solid : SolidKind::kHexahedron;
-  const std::int32_t size = shown_ ? shown_->faceSize : 0;
-  shown_ = level_.document().level();
-  stage_ = makeStageModel(*shown_);
-  idle_.emplace(shown_);
-  if (shown_->solid != before || shown_->faceSize != size) below_.reset();
-  if (pointer_ && pointer_->face >= mesh().faces()) pointer_.reset();
+const std::shared_ptr<const Level>& Editor::analysed() const {
+  return play_ ? play_->level() : level_.document().level();
 }
-
-const std::shared_ptr<const Level>& Editor::analysed() const { return play_ ? play_->level() : shown_; }
 
 void Editor::setReport(LevelReport report) {
   report_ = std::move(report);
@@ -95,51 +141,36 @@ void Editor::setReport(LevelReport report) {
 }
 
 void Editor::advance(double seconds) {
-  if (!play_) return;
-  untilTick_ += std::min(seconds, kMaxSeconds);
-  for (; untilTick_ >= kTickSeconds; untilTick_ -= kTickSeconds) {
-    const HeldKeys held = mapper_.takeHeld();
-    play_->tick(menu_.isOpen() ? Input() : steering_.input(held, 0, ControlFrame::kPlayer));
-  }
-  const Scene now = play_->scene(untilTick_ / kTickSeconds);
-  playCamera_.lerp(now.focus, now.stage->mesh, seconds);
+  if (play_) play_->advance(seconds, menu_.isOpen());
 }
 
-Camera Editor::camera() const { return play_ ? playCamera_ : view_.camera(mesh(), width_, height_); }
+Camera Editor::camera() const { return play_ ? play_->camera() : view_.camera(mesh()); }
 
 Scene Editor::scene() const {
   if (play_) {
-    Scene scene = play_->scene(untilTick_ / kTickSeconds);
+    Scene scene = play_->scene();
     scene.marksBelow = below_;
     return scene;
   }
   SceneSource source;
-  source.stage = stage_;
-  source.game = &*idle_;
+  source.stage = level_.stage();
+  source.game = &level_.idle();
   Scene scene = makeScene(source);
   scene.marksBelow = below_;
-  EditorMarks marks;
-  if (hovered_ && !gesture_) marks.hovered = segments()[hovered_->segment];
-  if (selected_ && !gesture_) marks.selected = segments()[*selected_];
-  if (gesture_) marks.drawn = gesture_->pieces();
-  marks.faulty = level_.faulty();
-  const double scale = pointer_ ? screenScale(mesh(), camera(), *pointer_) : 1;
-  const bool aims = tool_ == EditTool::kDraw || tool_ == EditTool::kStart || tool_ == EditTool::kGoal;
-  if (pointer_ && aims)
-    marks.pointer = FacePlace{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(free_))};
-  scene.marksAbove = marksAbove(marks, scale > 0.01 ? 2 / scale : 4);
+  scene.marksAbove = tools_.marks(camera());
   return scene;
 }
 
 EditorStatus Editor::status() const {
+  const Level& level = *level_.document().level();
   EditorStatus status;
   status.file = file_;
-  status.title = shown_->title.empty() ? textOf(shown_->solid) : shown_->title;
+  status.title = level.title.empty() ? textOf(level.solid) : level.title;
   status.unsaved = level_.unsaved();
-  status.tool = tool_;
-  status.word = selected_ ? segments()[*selected_].word : word_;
-  status.grid = kGrids[grid_];
-  if (pointer_) status.place = placeText(*pointer_);
+  status.tool = tools_.tool();
+  status.word = tools_.word();
+  status.grid = tools_.grid();
+  if (tools_.pointer()) status.place = placeText(*tools_.pointer());
   status.message = message_;
   status.error = firstError(file_, level_.document().diagnostics());
   if (status.error.size() > kLongestError) status.error = status.error.substr(0, kLongestError) + "…";
@@ -150,42 +181,13 @@ EditorStatus Editor::status() const {
   return status;
 }
 
-SnapOptions Editor::snapOptions(bool free) const {
-  // Start and goal belong between the segments, not onto them.
-  if (tool_ == EditTool::kStart || tool_ == EditTool::kGoal) return {kGrids[grid_], 0, free};
-  const double scale = pointer_ ? screenScale(mesh(), camera(), *pointer_) : 1;
-  return {kGrids[grid_], kReach / std::max(scale, 0.05), free};
-}
-
-// Half the angle of an edge, in which the up of the start is turned on triangles and pentagons; degrees.
-int Editor::turnOfStart() const {
-  const int edges = mesh().solid().edgesPerFace();
-  return edges == 3 ? 60 : edges == 4 ? 90 : 36;
-}
-
-void Editor::centre() {
-  if (pointer_) view_.centre(mesh().pose(pointer_->face, {0, 0}, 0));
-}
-
-// Degrees from the face's +y to the up of the picture.
-double Editor::upOfPicture(int face) const {
-  const glm::dvec2 up(glm::inverse(mesh().faceToWorld(face)) * glm::dvec4(camera().up(), 0));
-  return std::atan2(-up.x, up.y) * 180 / std::numbers::pi;
-}
-
-// The up of the start, degrees: nearly that of the picture.
-int Editor::upOfStart(int face) const {
-  const int turn = turnOfStart();
-  return (static_cast<int>(std::lround(upOfPicture(face) / turn)) * turn + 360) % 360;
-}
-
 // Of the ups that a player can have on the face, the one nearest to that of the picture; degrees.
 int Editor::upOfBall(int face) const {
-  const double wanted = upOfPicture(face);
+  const double wanted = upOfPicture(mesh(), face, camera());
   const auto distance = [&](const UprightFace& upright) {
     return std::abs(std::remainder(upright.up.centidegrees() / 100.0 - wanted, 360.0));
   };
-  const UprightFaces faces(*shown_);
+  const UprightFaces faces(*level_.document().level());
   const UprightFace* nearest = nullptr;
   for (const UprightFace& upright : faces.all()) {
     if (static_cast<int>(upright.face) != face) continue;
@@ -195,17 +197,16 @@ int Editor::upOfBall(int face) const {
 }
 
 void Editor::placeBall() {
+  const FacePlace place = *tools_.pointer();
   LevelDocument document = level_.document();
-  document.setStart(*pointer_, upOfBall(pointer_->face));
+  document.setStart(place, upOfBall(place.face));
   document.check();
   if (!document.valid()) {
     message_ = "the ball does not fit here: " + document.diagnostics().front().message;
     return;
   }
-  if (!play_) playCamera_ = camera();
-  play_.emplace(document.level());
-  untilTick_ = 0;
-  mapper_ = InputMapper();
+  const Camera seen = camera();
+  play_.emplace(document.level(), seen);
   message_.clear();
 }
 

@@ -1,34 +1,23 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "client/editor/ball_play.h"
-#include "client/editor/edit_tool.h"
 #include "client/editor/edited_level.h"
 #include "client/editor/editor_camera.h"
-#include "client/editor/editor_marks.h"
+#include "client/editor/editor_menu.h"
 #include "client/editor/editor_panel.h"
-#include "client/editor/gesture.h"
-#include "client/menu/menu.h"
-#include "client/scene/scene.h"
-#include "client/ui/controls/input_mapper.h"
-#include "client/ui/font.h"
-#include "client/ui/key.h"
-#include "client/ui/pointer_event.h"
-#include "client/ui/steering.h"
+#include "client/editor/editor_tools.h"
 
 namespace platon {
 
-/// The level editor without window, file and thread: events go in, pictures and wishes come out.
+/// The level editor without window, file and thread: events go in, pictures and wishes come out. Its tools edit the
+/// level, its camera shows it, a ball plays it; the editor passes the events on and says what has happened.
 class Editor {
  public:
   /// `level` has a level that can be shown; `file` is its name for messages.
@@ -42,11 +31,11 @@ class Editor {
   void advance(double seconds);
 
   /// Whether the user has asked to save since the last call.
-  bool takeSave() { return std::exchange(wantsSave_, false); }
+  bool takeSave() { return menu_.takeSave(); }
   /// The user has asked to close the window.
-  void askToLeave();
+  void askToLeave() { menu_.open(); }
   /// Whether the user has left. With unsaved changes, they are to be dropped.
-  bool leaving() const { return leaving_; }
+  bool leaving() const { return menu_.leaving(); }
   bool fullscreen() const { return fullscreen_; }
 
   const EditedLevel& level() const { return level_; }
@@ -65,89 +54,32 @@ class Editor {
   Camera camera() const;
   Scene scene() const;
   EditorStatus status() const;
-  const Menu& menu() const { return menu_; }
+  const Menu& menu() const { return menu_.menu(); }
   /// The picture of the menu; empty while it is closed.
-  Overlay menuOverlay() const { return menu_.overlay(font_, true); }
+  Overlay menuOverlay() const { return menu_.overlay(); }
 
  private:
-  static constexpr std::array<double, 6> kGrids{1, 5, 10, 20, 40, 60};  // level units
-  static constexpr double kReach = 9;                                   // of the pointer, units of the virtual screen
-
-  const SolidMesh& mesh() const { return stage_->mesh; }
-  const std::vector<EditedSegment>& segments() const { return level_.document().segments(); }
-  SnapOptions snapOptions(bool free) const;
-  void edit(const std::function<void(LevelDocument&)>& change);
-  void showLevel();
-
-  // Pointer.
-  void movePointer(const PointerEvent& event);
-  void press(const PointerEvent& event);
-  void beginMove();
-  void finishGesture();
-  std::optional<std::size_t> find(const EditedSegment& segment) const;
-  SegmentWord nextWord(SegmentWord word, bool back) const;
-  void cycleWord(std::size_t segment, bool back);
-  void placeStart(const FacePlace& at);
-  void placeBall();
-  int turnOfStart() const;
-  double upOfPicture(int face) const;
-  int upOfStart(int face) const;
-  int upOfBall(int face) const;
-
-  // Keys.
-  MenuPage leavePage();
-  void closeMenu();
-  void saveAndLeave();
+  const SolidMesh& mesh() const { return level_.stage()->mesh; }
   void handleInPlay(const KeyEvent& event);
   void handleCommand(const KeyEvent& event);
-  bool turnView(const KeyEvent& event);
   void handleEdit(Key key, bool shift);
-  void typeDigit(int digit);
-  void changeGrid(int step);
-  void eraseSelected();
-  void flip();
-  void escape();
-  void choose(EditTool tool);
-  void centre();
+  void undo(bool back);
+  void showOther(const std::shared_ptr<const Level>& before);
+  void placeBall();
+  int upOfBall(int face) const;
 
   std::string file_;
   EditedLevel level_;
-  std::shared_ptr<const Level> shown_;
-  std::shared_ptr<const StageModel> stage_;
-  std::optional<Game> idle_;  // of shown_, without players
+  EditorTools tools_;
   EditorCamera view_;
-  std::uint32_t width_ = 1280;
-  std::uint32_t height_ = 720;
-
-  EditTool tool_ = EditTool::kSelect;
-  SegmentWord word_;                  // of the next segment
-  int digits_ = 0;                    // of its number that have just been typed
-  std::size_t grid_ = 2;              // index into kGrids
-  std::optional<FacePlace> pointer_;  // on the solid
-  glm::dvec2 screen_{0};              // of the pointer
-  bool free_ = false;                 // Alt is held
-  std::optional<PickedSegment> hovered_;
-  std::optional<std::size_t> selected_;
-  std::optional<Gesture> gesture_;
-  bool turning_ = false;  // the button that turns the solid is held
-
   std::optional<BallPlay> play_;
-  Camera playCamera_;
-  InputMapper mapper_;
-  Steering steering_;
-  double untilTick_ = 0;  // seconds
-
-  Font font_;
-  Menu menu_;
-  bool wantsSave_ = false;
-  bool leaveWhenSaved_ = false;
-  bool leaving_ = false;
+  EditorMenu menu_;
   bool fullscreen_ = false;
   bool help_ = false;
   bool showReached_ = true;
   std::string message_;
   LevelReport report_;
-  FaceMarks below_;
+  FaceMarks below_;  // of the report
 };
 
 }  // namespace platon

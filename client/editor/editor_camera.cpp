@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -15,6 +16,8 @@ constexpr double kWholeSolid = 1.1 / CameraTarget::kTangent;  // circumradii: di
 constexpr double kAside = 0.42;  // radians by which the first picture is turned, so that more faces are seen
 constexpr double kFarthest = 2 * kWholeSolid;
 constexpr double kNearest = 100;                            // level units above the face
+constexpr double kTurn = 6 * std::numbers::pi / 180;        // by one press of an arrow key
+constexpr double kNotches = 1;                              // by one press of Page Up
 constexpr double kNotch = 1.15;                             // factor of the distance from the face
 constexpr double kViewHeight = 2 * CameraTarget::kTangent;  // of the field of view, at distance 1
 
@@ -45,9 +48,53 @@ void EditorCamera::zoom(const SolidMesh& mesh, double notches) {
   distance_ = std::clamp(mesh.inradius() + above, mesh.inradius() + kNearest, kFarthest * mesh.circumradius());
 }
 
-Camera EditorCamera::camera(const SolidMesh& mesh, std::uint32_t w, std::uint32_t h) const {
+void EditorCamera::resize(std::uint32_t w, std::uint32_t h) {
+  width_ = w;
+  height_ = h;
+}
+
+void EditorCamera::handle(const PointerEvent& event, const SolidMesh& mesh, bool turns) {
+  using Kind = PointerEvent::Kind;
+  if (turning_ && turns) drag(mesh, event.place - pointer_);
+  pointer_ = event.place;
+  if (event.kind == Kind::kScroll) zoom(mesh, event.scroll);
+  const bool isButton = event.kind == Kind::kPress || event.kind == Kind::kRelease;
+  if (isButton && event.button != PointerEvent::Button::kLeft) turning_ = event.kind == Kind::kPress;
+}
+
+void EditorCamera::look(const PointerEvent& event) {
+  pointer_ = event.place;
+  if (event.kind == PointerEvent::Kind::kRelease) turning_ = false;
+}
+
+bool EditorCamera::handle(const KeyEvent& event, const SolidMesh& mesh) {
+  switch (event.key) {
+    case Key::kArrowLeft:
+      turn(kTurn, 0);
+      return true;
+    case Key::kArrowRight:
+      turn(-kTurn, 0);
+      return true;
+    case Key::kArrowUp:
+      turn(0, -kTurn);
+      return true;
+    case Key::kArrowDown:
+      turn(0, kTurn);
+      return true;
+    case Key::kPageUp:
+      zoom(mesh, kNotches);
+      return true;
+    case Key::kPageDown:
+      zoom(mesh, -kNotches);
+      return true;
+    default:
+      return false;
+  }
+}
+
+Camera EditorCamera::camera(const SolidMesh& mesh) const {
   Camera camera;
-  camera.resize(w, h);
+  camera.resize(width_, height_);
   camera.place(orientation_ * glm::dvec3(0, 0, distance_), orientation_ * glm::dvec3(0, 1, 0), mesh);
   return camera;
 }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "client/editor/edited_segment.h"
-#include "client/editor/face_place.h"
 #include "client/editor/level_analysis.h"
 #include "client/scene/face_mark.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "client/editor/edit_tool.h"
 #include "client/editor/edited_segment.h"
+#include "client/editor/editor_tools.h"
 #include "client/editor/level_analysis.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "client/editor/edited_segment.h"
-#include "client/editor/face_place.h"
 #include "client/editor/over_edges.h"
-#include "client/editor/segment_picker.h"
+#include "client/editor/picking.h"
 #include "client/editor/snapping.h"
 #include "client/scene/solid_mesh.h"
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "client/editor/face_place.h"
+#include "client/editor/edited_segment.h"
 #include "levels/solve/solution.h"
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "client/editor/edited_segment.h"
-#include "client/editor/face_place.h"
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
 

@@ -45,7 +45,7 @@ EditedSegment behind(const SolidMesh& mesh, EditedSegment segment, int edge) {
   segment.a = mapped(map, segment.a);
   segment.b = mapped(map, segment.b);
   segment.face = next.face;
-  if (segment.word.kind == ElementKind::kUp) {
+  if (segment.word.namesEdge()) {
     // Edge numbers grow counter-clockwise, as angles do.
     const int edges = mesh.solid().edgesPerFace();
     const double turned = double{1} * next.turn.centidegrees() * edges / Angle::kTurn;

@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 
 #include "client/editor/edited_segment.h"
-#include "client/editor/face_place.h"
 #include "client/scene/solid_mesh.h"
 
 namespace platon {

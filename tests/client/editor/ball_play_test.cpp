@@ -9,28 +9,44 @@
 namespace platon::ball_play_test {
 namespace {
 
+constexpr double kTick = 1.0 / kTicksPerSecond;
+
 TEST(BallPlayTest, PlaysTheGameOfTheLevel) {
   const auto level = loadLevel(TestEditor::levelText()).level;
-  BallPlay play(level);
+  BallPlay play(level, Camera());
   Game game(level);
   const Input present[] = {Input{Input::kPresent}};
   game.advance(present);
+  play.handle(KeyEvent{Key::kArrowRight, KeyEvent::Kind::kPress}, false);
   for (int tick = 0; tick < 30; ++tick) {
     const Input right[] = {Input{Input::kPresent | Input::kRight}};
-    play.tick(Input{Input::kRight});
+    play.advance(kTick * 1.0001, false);
     game.advance(right);
   }
   EXPECT_EQ(play.game().hash(), game.hash());
 }
 
+TEST(BallPlayTest, NothingIsPressedWhileTheMenuIsOpen) {
+  const auto level = loadLevel(TestEditor::levelText()).level;
+  BallPlay play(level, Camera());
+  play.handle(KeyEvent{Key::kArrowRight, KeyEvent::Kind::kPress}, false);
+  const Point before = play.game().world().entities()[0].position;
+  for (int tick = 0; tick < 30; ++tick) play.advance(kTick, true);
+  EXPECT_EQ(play.game().world().entities()[0].position.x, before.x);
+}
+
 TEST(BallPlayTest, ThePictureMovesBetweenTheTicks) {
-  BallPlay play(loadLevel(TestEditor::levelText()).level);
-  for (int tick = 0; tick < 30; ++tick) play.tick(Input{Input::kRight});
-  const glm::dvec3 before = play.scene(0).focus.position;
-  const glm::dvec3 between = play.scene(0.5).focus.position;
-  const glm::dvec3 now = play.scene(1).focus.position;
-  EXPECT_GT(glm::distance(before, now), 1);
-  EXPECT_NEAR(glm::distance(before, between), glm::distance(before, now) / 2, 1e-6);
+  BallPlay play(loadLevel(TestEditor::levelText()).level, Camera());
+  play.handle(KeyEvent{Key::kArrowRight, KeyEvent::Kind::kPress}, false);
+  for (int tick = 0; tick < 30; ++tick) play.advance(kTick, false);
+  const glm::dvec3 before = play.scene().focus.position;
+  const std::uint32_t tick = play.game().tick();
+  play.advance(kTick / 2, false);
+  const glm::dvec3 between = play.scene().focus.position;
+  play.advance(kTick / 2, false);
+  EXPECT_LE(play.game().tick(), tick + 1);
+  EXPECT_GT(glm::distance(before, between), 0.5);
+  EXPECT_NEAR(glm::distance(before, between), glm::distance(between, play.scene().focus.position), 0.1);
 }
 
 }  // namespace

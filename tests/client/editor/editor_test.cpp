@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -81,6 +82,33 @@ TEST(EditorTest, TheHoveredSegmentIsMarked) {
   editor.move({0, {0, -198}});
   ASSERT_EQ(editor.scene().marksAbove->size(), 1U);
   EXPECT_EQ(editor.scene().marksAbove->front().a, glm::vec2(-200, -200));
+}
+
+TEST(EditorTest, UndoAndRedo) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.drag({0, {-50, 10}}, {0, {50, 10}});
+  const std::string drawn = editor.level().text();
+  editor.key(Key::kZ, true);
+  EXPECT_EQ(editor.level().text(), TestEditor::levelText());
+  EXPECT_FALSE(editor.level().unsaved());
+  editor.key(Key::kY, true);
+  EXPECT_EQ(editor.level().text(), drawn);
+  editor.key(Key::kZ, true);
+  editor.key(Key::kZ, true, true);
+  EXPECT_EQ(editor.level().text(), drawn);
+  editor.key(Key::kY, true);
+  EXPECT_EQ(editor.status().message, "nothing to redo");
+}
+
+TEST(EditorTest, SavingAnInvalidLevelSaysSo) {
+  TestEditor editor;
+  editor.markSaved();
+  EXPECT_EQ(editor.status().message, "saved");
+  editor.key(Key::kT);
+  editor.click({0, {0, -201}});
+  editor.markSaved();
+  EXPECT_EQ(editor.status().message.substr(0, 10), "saved, but");
 }
 
 }  // namespace

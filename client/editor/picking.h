@@ -4,10 +4,23 @@
 #include <optional>
 #include <span>
 
+#include <glm/vec2.hpp>
+
 #include "client/editor/edited_segment.h"
-#include "client/editor/face_place.h"
+#include "client/scene/camera.h"
+#include "client/scene/solid_mesh.h"
 
 namespace platon {
+
+/// The place of the solid that is drawn at a place of the virtual screen (see Overlay: 720 high, +y down). Nothing
+/// beside the solid.
+std::optional<FacePlace> pickFace(const SolidMesh& mesh, const Camera& camera, glm::dvec2 screen);
+
+/// Length of a level unit at the place, in units of the virtual screen.
+double screenScale(const SolidMesh& mesh, const Camera& camera, const FacePlace& at);
+
+/// Degrees from the face's +y to the up of the picture.
+double upOfPicture(const SolidMesh& mesh, int face, const Camera& camera);
 
 /// A segment near a pointer, and what of it.
 struct PickedSegment {

@@ -1,0 +1,192 @@
+#include "client/editor/editor_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "tests/client/editor/test_editor.h"
+
+namespace platon::editor_tools_test {
+namespace {
+
+TEST(EditorToolsTest, DrawingAddsASegmentOnTheGrid) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.drag({0, {-48, 12}}, {0, {53, 8}});
+  ASSERT_EQ(editor.all().size(), 2U);
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {-50, 10}, {50, 10}, {}}));
+  EXPECT_TRUE(editor.level().unsaved());
+}
+
+TEST(EditorToolsTest, AltDrawsFreelyAndShiftStraight) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.drag({0, {-48.25, 12.5}}, {0, {53.5, 41.75}}, true);
+  ASSERT_EQ(editor.all().size(), 2U);
+  EXPECT_NEAR(editor.all()[1].b.x, 53.5, 0.001);
+  editor.drag({0, {-48, 112}}, {0, {53, 130}}, false, true);
+  EXPECT_EQ(editor.all()[2], (EditedSegment{0, {-50, 110}, {50, 110}, {}}));
+}
+
+TEST(EditorToolsTest, AClickDrawsNothing) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.click({0, {-48, 12}});
+  EXPECT_FALSE(editor.level().unsaved());
+}
+
+TEST(EditorToolsTest, ErasingRemovesTheSegmentUnderThePointer) {
+  TestEditor editor("-50 10 50 10\n");
+  editor.key(Key::kE);
+  editor.click({0, {0, 12}});
+  ASSERT_EQ(editor.all().size(), 1U);
+  editor.click({0, {0, 100}});
+  EXPECT_EQ(editor.all().size(), 1U);
+}
+
+TEST(EditorToolsTest, AnEndAndAWholeSegmentAreMoved) {
+  TestEditor editor("-50 10 50 10\n");
+  editor.drag({0, {48, 10}}, {0, {81, 62}});
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {-50, 10}, {80, 60}, {}}));
+  editor.drag({0, {15, 35}}, {0, {26, 76}});
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {-40, 50}, {90, 100}, {}}));
+}
+
+TEST(EditorToolsTest, AMovedSegmentKeepsItsComment) {
+  TestEditor editor;
+  editor.drag({0, {0, -200}}, {0, {0, -210}});
+  EXPECT_NE(editor.level().text().find("-200 -210 200 -210  # floor\n"), std::string::npos);
+}
+
+// The piece on face 1 comes before face 4 in the text.
+TEST(EditorToolsTest, AMovedSegmentStaysSelectedWhenAPieceOnAnotherFaceIsAdded) {
+  TestEditor editor;
+  for (int i = 0; i < 6; ++i) editor.key(Key::kArrowRight);
+  editor.drag({0, {195, -200}}, {1, {-200, -100}});
+  ASSERT_EQ(editor.all().size(), 2U);
+  EXPECT_EQ(editor.all()[1].face, 1);
+  editor.key(Key::kDelete);
+  ASSERT_EQ(editor.all().size(), 1U);
+  EXPECT_EQ(editor.all()[0].face, 1) << "the piece on face 0 was selected";
+}
+
+TEST(EditorToolsTest, TheWordToolGoesThroughAllWords) {
+  TestEditor editor("-50 10 50 10\n");
+  editor.key(Key::kW);
+  for (const ElementKind kind : kElementKinds) {
+    editor.click({0, {0, 10}});
+    EXPECT_EQ(editor.all()[1].word.kind, kind);
+  }
+  editor.click({0, {0, 10}});
+  EXPECT_EQ(editor.all()[1].word.kind, std::nullopt);
+}
+
+TEST(EditorToolsTest, StartAndGoalArePlaced) {
+  TestEditor editor;
+  editor.key(Key::kT);
+  editor.click({0, {51, 102}});
+  editor.click({0, {-51, -184}});
+  EXPECT_EQ(editor.level().document().level()->start, Point(-50 * 1024, -180 * 1024)) << "not onto the floor";
+  editor.click({0, {51, 102}});
+  editor.key(Key::kG);
+  editor.click({0, {-51, 102}});
+  ASSERT_TRUE(editor.level().document().valid());
+  const Level& level = *editor.level().document().level();
+  EXPECT_EQ(level.start, Point(50 * 1024, 100 * 1024));
+  EXPECT_EQ(level.goal, Point(-50 * 1024, 100 * 1024));
+  EXPECT_EQ(level.startAngle, Angle());
+}
+
+TEST(EditorToolsTest, AStartInAWallIsKeptAndReported) {
+  TestEditor editor;
+  editor.key(Key::kT);
+  editor.click({0, {0, -201}});
+  EXPECT_FALSE(editor.level().document().valid());
+  EXPECT_EQ(editor.status().error.substr(0, 14), "test.level:3:3");
+  EXPECT_TRUE(editor.scene().stage);
+}
+
+TEST(EditorToolsTest, EveryToolHasAKey) {
+  TestEditor editor;
+  for (const EditToolFacts& facts : kEditTools) {
+    editor.key(facts.key);
+    EXPECT_EQ(editor.status().tool, facts.tool);
+  }
+}
+
+TEST(EditorToolsTest, DigitsSetTheNumberOfTheSelectedSegment) {
+  TestEditor editor("-50 10 50 10 door 3\n");
+  editor.click({0, {0, 10}});
+  editor.key(Key::kDigit1);
+  EXPECT_EQ(editor.all()[1].word.number, 1) << "a number of its own";
+  editor.key(Key::kDigit2);
+  EXPECT_EQ(editor.all()[1].word.number, 12);
+  editor.key(Key::kDigit7);
+  EXPECT_EQ(editor.all()[1].word.number, 7);
+  editor.key(Key::kDigit8);
+  EXPECT_EQ(editor.all()[1].word.number, 8) << "there is no door 78";
+  editor.click({0, {0, 10}});
+  editor.key(Key::kDigit2);
+  editor.click({0, {0, 10}});
+  editor.key(Key::kDigit1);
+  EXPECT_EQ(editor.all()[1].word.number, 1) << "not 21: a click ends the number";
+}
+
+TEST(EditorToolsTest, AnUpHasTheNumberOfAnEdge) {
+  TestEditor editor("-50 10 50 10 up 0\n");
+  editor.click({0, {0, 10}});
+  editor.key(Key::kDigit2);
+  EXPECT_EQ(editor.all()[1].word.number, 2);
+  editor.key(Key::kDigit7);
+  EXPECT_EQ(editor.all()[1].word.number, 3);
+  EXPECT_TRUE(editor.level().document().valid());
+}
+
+TEST(EditorToolsTest, FlipAndDelete) {
+  TestEditor editor("-50 10 50 10 oneway\n");
+  editor.click({0, {0, 10}});
+  editor.key(Key::kF);
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {50, 10}, {-50, 10}, {ElementKind::kOneway, 0}}));
+  editor.key(Key::kDelete);
+  EXPECT_EQ(editor.all().size(), 1U);
+}
+
+TEST(EditorToolsTest, TheWordOfTheNextSegmentIsChosen) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.key(Key::kX);
+  editor.drag({0, {-50, 10}}, {0, {50, 10}});
+  EXPECT_EQ(editor.all()[1].word.kind, ElementKind::kOneway);
+}
+
+TEST(EditorToolsTest, ShiftXIsTheWordBefore) {
+  TestEditor editor;
+  editor.key(Key::kX, false, true);
+  EXPECT_EQ(editor.status().word.kind, kElementKinds.back());
+  editor.key(Key::kX);
+  EXPECT_EQ(editor.status().word.kind, std::nullopt);
+  editor.key(Key::kX);
+  editor.key(Key::kX, false, true);
+  EXPECT_EQ(editor.status().word.kind, std::nullopt);
+}
+
+TEST(EditorToolsTest, TheStartIsTurned) {
+  TestEditor editor;
+  editor.key(Key::kT);
+  editor.key(Key::kF);
+  EXPECT_EQ(editor.level().document().level()->startAngle, Angle::degrees(90));
+}
+
+TEST(EditorToolsTest, TheGridIsChanged) {
+  TestEditor editor;
+  editor.key(Key::kPlus);
+  EXPECT_EQ(editor.status().grid, 20);
+  for (int i = 0; i < 9; ++i) editor.key(Key::kMinus);
+  EXPECT_EQ(editor.status().grid, 1);
+}
+
+}  // namespace
+}  // namespace platon::editor_tools_test
