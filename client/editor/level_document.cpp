@@ -11,31 +11,6 @@ namespace {
 
 constexpr std::size_t kStart = 1;  // index in the header
 constexpr std::size_t kGoal = 2;
-constexpr std::size_t kHeaderLines = 4;
-constexpr std::string_view kBlanks = " \t";
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
-// The parts of a text line: blanks, words with blanks between them, the rest with the comment and the line end.
-struct TextLine {
-  std::string_view before;
-  std::vector<std::string_view> words;
-  std::string_view rest;
-};
-
-TextLine partsOf(std::string_view line) {
-  const std::size_t end = std::min(line.find_first_of("#\r\n"), line.size());
-  const std::string_view content = line.substr(0, end);
-  TextLine parts;
-  std::size_t last = 0;
-  for (std::size_t at = content.find_first_not_of(kBlanks); at != std::string_view::npos;) {
-    if (parts.words.empty()) parts.before = content.substr(0, at);
-    last = std::min(content.find_first_of(kBlanks, at), content.size());
-    parts.words.push_back(content.substr(at, last - at));
-    at = content.find_first_not_of(kBlanks, last);
-  }
-  parts.rest = line.substr(last);
-  return parts;
-}
 
 double numberOf(std::string_view word) {
   double value = 0;
@@ -43,11 +18,12 @@ double numberOf(std::string_view word) {
   return value;
 }
 
-SegmentWord wordOf(const std::vector<std::string_view>& words) {
-  SegmentWord word;
-  if (words.size() > 4) word.kind = elementKindOf(words[4]);
-  if (words.size() > 5) word.number = static_cast<int>(numberOf(words[5]));
-  return word;
+EditedSegment segmentOf(const LevelLine& line) {
+  const auto number = [&](std::size_t token) { return numberOf(line.tokens[token].text); };
+  EditedSegment segment{line.face, {number(0), number(1)}, {number(2), number(3)}, {}};
+  if (line.tokens.size() > 4) segment.word.kind = elementKindOf(line.tokens[4].text);
+  if (line.tokens.size() > 5) segment.word.number = static_cast<int>(number(5));
+  return segment;
 }
 
 std::vector<std::string> wordsOf(const EditedSegment& segment) {
@@ -89,11 +65,8 @@ std::string LevelDocument::text() const {
 
 void LevelDocument::setText(std::string_view text) {
   lines_.clear();
-  while (!text.empty()) {
-    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
-    lines_.emplace_back(text.substr(0, length));
-    text.remove_prefix(length);
-  }
+  LevelText lines(text);
+  for (LevelLine line; lines.next(line);) lines_.emplace_back(line.text);
   scan();
 }
 
@@ -109,23 +82,24 @@ void LevelDocument::scan() {
   textLines_.clear();
   header_.clear();
   faceMarks_.clear();
-  for (std::size_t index = 0; index < lines_.size(); ++index) scanLine(index);
+  const std::string text = this->text();
+  LevelText lines(text);
+  for (LevelLine line; lines.next(line);) note(line);
 }
 
-void LevelDocument::scanLine(std::size_t index) {
-  std::string_view line = lines_[index];
-  if (index == 0 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
-  const TextLine parts = partsOf(line);
-  if (parts.words.empty()) return;
-  if (parts.words[0] == "%") {
-    faceMarks_.push_back(index);
-  } else if (header_.size() < kHeaderLines) {
-    header_.push_back(index);
-  } else if (parts.words.size() >= 4 && !faceMarks_.empty()) {
-    const auto number = [&](std::size_t word) { return numberOf(parts.words[word]); };
-    segments_.push_back(
-        {static_cast<int>(faceMarks_.size()) - 1, {number(0), number(1)}, {number(2), number(3)}, wordOf(parts.words)});
-    textLines_.push_back(index);
+void LevelDocument::note(const LevelLine& line) {
+  const auto index = static_cast<std::size_t>(line.number) - 1;
+  switch (line.role) {
+    case LevelLine::Role::kNone:
+      return;
+    case LevelLine::Role::kHeader:
+      return header_.push_back(index);
+    case LevelLine::Role::kFaceMark:
+      return faceMarks_.push_back(index);
+    case LevelLine::Role::kSegment:
+      if (line.tokens.size() < 4 || line.face < 0) return;
+      segments_.push_back(segmentOf(line));
+      textLines_.push_back(index);
   }
 }
 
@@ -133,21 +107,19 @@ std::string_view LevelDocument::lineEnd() const { return lines_.front().ends_wit
 
 // Of the words that stay the same number, the text is kept: 5.0 does not become 5.
 void LevelDocument::rewrite(std::size_t index, const std::vector<std::string>& words) {
-  const TextLine parts = partsOf(lines_[index]);
-  std::string line(parts.before);
+  const LevelLine before = splitLevelLine(lines_[index]);
+  const std::vector<LevelToken>& tokens = before.tokens;
+  const auto beginOf = [&](std::size_t token) { return static_cast<std::size_t>(tokens[token].column) - 1; };
+  std::string line(before.text.substr(0, beginOf(0)));
+  std::size_t end = 0;  // of the last token that has been replaced
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool same = i < parts.words.size() && i < 4 && numberOf(parts.words[i]) == numberOf(words[i]);
-    const bool together = i > 0 && i < parts.words.size();
-    if (together) {
-      // The blanks between two words.
-      const char* const from = parts.words[i - 1].data() + parts.words[i - 1].size();
-      line.append(from, parts.words[i].data());
-    } else if (i > 0) {
-      line += ' ';
-    }
-    line += same ? std::string(parts.words[i]) : words[i];
+    const bool isThere = i < tokens.size();
+    if (i > 0) line += isThere ? before.text.substr(end, beginOf(i) - end) : " ";
+    if (isThere) end = beginOf(i) + tokens[i].text.size();
+    const bool same = isThere && i < 4 && numberOf(tokens[i].text) == numberOf(words[i]);
+    line += same ? tokens[i].text : std::string_view(words[i]);
   }
-  lines_[index] = line + std::string(parts.rest);
+  lines_[index] = line.append(before.text.substr(static_cast<std::size_t>(before.end) - 1));
   scan();
 }
 
@@ -183,9 +155,8 @@ void LevelDocument::erase(const std::vector<bool>& segments) {
       kept.push_back(std::move(lines_[index]));
       continue;
     }
-    const std::string_view rest = partsOf(lines_[index]).rest;
-    const std::size_t comment = rest.find('#');
-    if (comment != std::string_view::npos) kept.emplace_back(rest.substr(comment));
+    const LevelLine line = splitLevelLine(lines_[index]);
+    if (!line.comment.empty()) kept.emplace_back(line.text.substr(static_cast<std::size_t>(line.commentColumn) - 1));
   }
   lines_ = std::move(kept);
   scan();
@@ -197,8 +168,9 @@ void LevelDocument::setStart(const FacePlace& start, int degrees) {
 }
 
 void LevelDocument::turnStart(int degrees) {
-  const TextLine parts = partsOf(lines_[header_[kStart]]);
-  std::vector<std::string> words(parts.words.begin(), parts.words.end());
+  const LevelLine line = splitLevelLine(lines_[header_[kStart]]);
+  std::vector<std::string> words;
+  for (const LevelToken& token : line.tokens) words.emplace_back(token.text);
   words.back() = std::to_string(degrees);
   rewrite(header_[kStart], words);
 }

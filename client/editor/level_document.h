@@ -9,6 +9,7 @@
 #include "client/editor/edited_segment.h"
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
+#include "platon/game/level_text.h"
 
 namespace platon {
 
@@ -52,7 +53,7 @@ class LevelDocument {
 
  private:
   void scan();
-  void scanLine(std::size_t index);
+  void note(const LevelLine& line);
   void rewrite(std::size_t index, const std::vector<std::string>& words);
   std::string_view lineEnd() const;
 

@@ -6,7 +6,7 @@
 
 #include "platon/game/diagnostics.h"
 #include "platon/game/element.h"
-#include "shared/game/level_text.h"
+#include "platon/game/level_text.h"
 
 namespace platon {
 

@@ -124,7 +124,7 @@ LevelResult tooLong() {
 LevelResult loadLevel(std::string_view text) {
   if (text.size() > kMaxLevelBytes) return tooLong();
   Diagnostics diagnostics;
-  LevelDraft draft = LevelReader(text, diagnostics).read();
+  LevelDraft draft = readLevel(text, diagnostics);
   World stage;
   const bool hasFaces = draft.solid && draft.faceSize;
   if (hasFaces && checkTotal(draft, diagnostics) && checkCrowding(draft, diagnostics) && draft.start) {

@@ -1,8 +1,7 @@
-#include "shared/game/level_text.h"
+#include "platon/game/level_text.h"
 
 #include <algorithm>
-#include <optional>
-#include <string>
+#include <utility>
 
 #include "platon/game/utf8.h"
 
@@ -23,66 +22,71 @@ std::string describeControl(char32_t codePoint) {
   return "control character 0x" + hex + ": only tabs and line ends (LF or CR LF) are allowed";
 }
 
-struct Fault {
-  std::size_t index;
-  std::string message;
-};
-
-std::optional<Fault> firstFault(std::string_view content) {
+// `comment`: index of the comment.
+std::optional<LevelLine::Fault> firstFault(std::string_view content, std::size_t comment) {
   for (std::size_t i = 0; i < content.size();) {
     const auto character = decodeUtf8(content.substr(i));
-    if (!character) return Fault{i, "invalid UTF-8: save the file as UTF-8"};
-    if (isForbidden(character->codePoint)) return Fault{i, describeControl(character->codePoint)};
+    if (!character) return LevelLine::Fault{columnOf(i), i >= comment, "invalid UTF-8: save the file as UTF-8"};
+    if (isForbidden(character->codePoint))
+      return LevelLine::Fault{columnOf(i), i >= comment, describeControl(character->codePoint)};
     i += character->length;
   }
   return std::nullopt;
 }
 
+std::string_view withoutLineEnd(std::string_view line) {
+  if (line.ends_with('\n')) line.remove_suffix(1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 }  // namespace
 
-LevelText::LevelText(std::string_view text, Diagnostics& diagnostics) : rest_(text), diagnostics_(&diagnostics) {
-  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-}
-
-std::string_view LevelText::takeLine() {
-  const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-  std::string_view content = rest_.substr(0, end);
-  rest_.remove_prefix(std::min(end + 1, rest_.size()));
-  if (content.ends_with('\r')) content.remove_suffix(1);
-  return content;
-}
-
-bool LevelText::next(LevelLine& line) {
-  if (rest_.empty()) return false;
-  const std::string_view content = takeLine();
-  line = LevelLine();
-  line.number = ++number_;
-  endOfLine_ = columnOf(content.size());
-  const std::size_t tokens = std::min(content.find('#'), content.size());
-  line.comment = content.substr(tokens);
-  line.commentColumn = columnOf(tokens);
-  checkBytes(content, tokens, line);
-  for (std::size_t i = 0; i < tokens && !line.invalid;) {
+LevelLine splitLevelLine(std::string_view text) {
+  LevelLine line;
+  line.text = text;
+  const std::string_view content = withoutLineEnd(text);
+  const std::size_t comment = std::min(content.find('#'), content.size());
+  line.comment = content.substr(comment);
+  line.commentColumn = columnOf(comment);
+  line.fault = firstFault(content, comment);
+  for (std::size_t i = 0; i < comment;) {
     if (isBlank(content[i])) {
       ++i;
       continue;
     }
     const std::size_t first = i;
-    while (i < tokens && !isBlank(content[i])) ++i;
+    while (i < comment && !isBlank(content[i])) ++i;
     line.tokens.push_back({content.substr(first, i - first), columnOf(first)});
     line.end = columnOf(i);
   }
-  return true;
+  return line;
 }
 
-void LevelText::checkBytes(std::string_view content, std::size_t tokens, LevelLine& line) {
-  const auto fault = firstFault(content);
-  if (!fault) return;
-  diagnostics_->error({line.number, columnOf(fault->index)}, fault->message);
-  if (fault->index < tokens)
-    line.invalid = true;
-  else
-    line.comment = {};
+bool LevelText::next(LevelLine& line) {
+  if (rest_.empty()) return false;
+  const std::string_view whole = rest_.substr(0, std::min(rest_.find('\n'), rest_.size() - 1) + 1);
+  const bool isMarked = number_ == 0 && whole.starts_with(kByteOrderMark);
+  const std::string_view text = whole.substr(isMarked ? kByteOrderMark.size() : 0);
+  if (text.empty()) return false;
+  line = splitLevelLine(text);
+  line.text = whole;
+  line.number = ++number_;
+  endOfLine_ = columnOf(withoutLineEnd(text).size());
+  rest_.remove_prefix(whole.size());
+  if (line.tokens.empty()) return true;
+  if (line.tokens[0].text == "%" && !line.isUnreadable()) {
+    line.role = LevelLine::Role::kFaceMark;
+    header_ = LevelLine::kHeaderLines;
+    ++faces_;
+  } else if (header_ < LevelLine::kHeaderLines) {
+    line.role = LevelLine::Role::kHeader;
+    ++header_;
+  } else {
+    line.role = LevelLine::Role::kSegment;
+  }
+  line.face = faces_ - 1;
+  return true;
 }
 
 }  // namespace platon

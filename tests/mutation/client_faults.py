@@ -18,7 +18,7 @@ CLIENT_FAULTS = [
               "a digit that is typed after a click is added to the number of before",
               "EditorToolsTest.DigitsSetTheNumberOfTheSelectedSegment"),
     at_length("erasing-forgets-comments", "client/editor/level_document.cpp",
-              "    if (comment != std::string_view::npos) kept.emplace_back(rest.substr(comment));\n", "",
+              "    if (!line.comment.empty()) kept.emplace_back(line.text.substr(static_cast<std::size_t>(line.commentColumn) - 1));\n", "",
               "a comment is lost with the segment before it",
               "LevelDocumentTest.ErasingKeepsTheComment"),
     # The list of players and the keys.

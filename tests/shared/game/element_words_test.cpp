@@ -15,7 +15,7 @@ struct Reading {
 // Reads the words of a line that begins with them. Faces have 5 edges.
 Reading read(const std::string& words) {
   Diagnostics diagnostics;
-  LevelText text(words, diagnostics);
+  LevelText text(words);
   LevelLine line;
   EXPECT_TRUE(text.next(line));
   Reading reading;

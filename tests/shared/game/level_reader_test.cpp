@@ -275,7 +275,7 @@ TEST_P(InvalidLevelTest, EveryErrorIsReportedAtItsPosition) {
 INSTANTIATE_TEST_SUITE_P(All, InvalidLevelTest, testing::ValuesIn(kInvalidLevels),
                          [](const auto& spec) { return std::string(spec.param.name); });
 
-LevelDraft read(std::string_view text, Diagnostics& diagnostics) { return LevelReader(text, diagnostics).read(); }
+LevelDraft read(std::string_view text, Diagnostics& diagnostics) { return readLevel(text, diagnostics); }
 
 LevelDraft readValid(std::string_view text) {
   Diagnostics diagnostics;
@@ -320,7 +320,7 @@ TEST(LevelReaderTest, AnErrorLeavesOnlyItsOwnFieldEmpty) {
 }
 
 TEST(LevelReaderTest, ReadsATitleOfTheLargestSize) {
-  const std::string title(LevelReader::kMaxNameBytes, 'x');
+  const std::string title(LevelDraft::kMaxNameBytes, 'x');
   EXPECT_EQ(readValid("# title: " + title + "\n" + kHead + kFaces).title, title);
 }
 
@@ -380,23 +380,23 @@ TEST(LevelReaderTest, ElementsComeFirstOnTheirFace) {
 
 TEST(LevelReaderTest, ReadsTheLargestNumberOfElementsAndNoMore) {
   std::string text = "HEXAHEDRON\n0 0 0 0\n0 0 0\n1000\n%\n";
-  for (std::size_t i = 0; i < LevelReader::kMaxElements; ++i)
+  for (std::size_t i = 0; i < LevelDraft::kMaxElements; ++i)
     text += "-500 " + std::to_string(20 + i % 450) + " 500 " + std::to_string(20 + i / 450) + " hazard\n";
   const std::string others = "0 20 0 30\n%\n%\n%\n%\n%\n";
-  EXPECT_EQ(readValid(text + others).elements.size(), LevelReader::kMaxElements);
+  EXPECT_EQ(readValid(text + others).elements.size(), LevelDraft::kMaxElements);
   Diagnostics diagnostics;
   EXPECT_EQ(read(text + "0 20 0 30 oneway\n0 20 0 40 key 1\n" + others, diagnostics).elements.size(),
-            LevelReader::kMaxElements);
+            LevelDraft::kMaxElements);
   EXPECT_EQ(diagnostics.take().at(0).message, "more than 4096 lines with a word: remove some");
 }
 
 TEST(LevelReaderTest, ReadsTheLargestNumberOfLinesAndNoMore) {
   std::string text = "HEXAHEDRON\n0 0 0 0\n0 0 0\n1000\n%\n";
-  for (std::size_t i = 0; i < LevelReader::kMaxLines; ++i) {
+  for (std::size_t i = 0; i < LevelDraft::kMaxLines; ++i) {
     text += "-500 " + std::to_string(20 + i % 450) + " 500 " + std::to_string(20 + i / 450) + "\n";
   }
   const std::string otherFaces = "%\n%\n%\n%\n%\n";
-  EXPECT_EQ(readValid(text + otherFaces).segments[0].size(), LevelReader::kMaxLines);
+  EXPECT_EQ(readValid(text + otherFaces).segments[0].size(), LevelDraft::kMaxLines);
   Diagnostics diagnostics;
   read(text + "0 20 0 30\n0 20 0 40\n" + otherFaces, diagnostics);
   EXPECT_EQ(diagnostics.take(), (std::vector<Diagnostic>{{200006, 1, true, "more than 200000 lines: remove some"}}));
