@@ -33,4 +33,12 @@ int difficultyOf(const SolutionFacts& facts);
 /// Replays a solution. Nothing when it does not bring all players to the goal in its last tick.
 std::optional<SolutionFacts> factsOf(const std::shared_ptr<const Level>& level, const Solution& solution);
 
+/// For how many ticks the tightest jump of a solution may be pressed: the player runs on or waits as before the jump,
+/// jumps some ticks earlier or later, holds the same buttons as in the solution, and comes to stand where it did there.
+/// At most 2 * kMaxJumpSlack + 1. Nothing when no player jumps.
+std::optional<int> tightestJump(const std::shared_ptr<const Level>& level, const Solution& solution);
+
+/// Most ticks by which a jump is tried earlier and later.
+inline constexpr int kMaxJumpSlack = 15;
+
 }  // namespace platon

@@ -6,8 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "levels/check/untouched_lines.h"
-#include "levels/tool/exit_code.h"
+#include "levels/check/level_warnings.h"
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
 #include "platon/game/level.h"

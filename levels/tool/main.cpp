@@ -5,7 +5,7 @@
 
 #include "levels/picture/level_picture.h"
 #include "levels/tool/check_command.h"
-#include "levels/tool/exit_code.h"
+#include "levels/tool/level_file.h"
 #include "levels/tool/preview_command.h"
 #include "levels/tool/solve_command.h"
 #include "protocol/program_error.h"

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "levels/picture/level_picture.h"
-#include "levels/tool/exit_code.h"
 #include "levels/tool/level_file.h"
 
 namespace platon {

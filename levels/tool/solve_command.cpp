@@ -11,7 +11,6 @@
 #include "levels/reach/reach.h"
 #include "levels/solve/level_solver.h"
 #include "levels/solve/recorded_way.h"
-#include "levels/tool/exit_code.h"
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
 

@@ -1,4 +1,4 @@
-#include "levels/check/narrow_gaps.h"
+#include "levels/check/level_warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "levels/check/untouched_lines.h"
+#include "levels/check/level_warnings.h"
 
 #include <gtest/gtest.h>
 

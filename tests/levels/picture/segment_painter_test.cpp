@@ -1,4 +1,4 @@
-#include "levels/picture/segment_painter.h"
+#include "levels/picture/face_painter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "levels/solve/jump_slack.h"
+#include "levels/solve/solution.h"
 
 #include <gtest/gtest.h>
 
