@@ -47,11 +47,9 @@ endforeach()
 
 # The levels, the recorded ways to their goals, and the times that their medals follow from. A link to the folder would
 # be installed as a link.
-file(REAL_PATH ${PROJECT_SOURCE_DIR}/levels levels)
+file(REAL_PATH ${PROJECT_SOURCE_DIR}/levels/data levels)
 install(DIRECTORY ${levels}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/platon/levels COMPONENT data
-        FILES_MATCHING PATTERN *.level PATTERN *.recording PATTERN way_times
-        PATTERN check EXCLUDE PATTERN drawing EXCLUDE PATTERN picture EXCLUDE PATTERN reach EXCLUDE PATTERN solve EXCLUDE
-        PATTERN tool EXCLUDE)
+        FILES_MATCHING PATTERN *.level PATTERN *.recording PATTERN way_times)
 
 # The pages and what they link to, in folders as here, so that the links lead there. Links to files would be installed as
 # links.

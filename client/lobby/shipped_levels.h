@@ -28,7 +28,7 @@ std::vector<std::string> gameLevelFiles();
 /// The levels that come with the game, by solid, and on each solid in their order. Throws ProgramError.
 std::vector<ShippedLevel> loadShippedLevels();
 
-/// The ticks of the recorded easy ways to the goals, from the text of `levels/way_times`: lines with the name of a
+/// The ticks of the recorded easy ways to the goals, from the text of `levels/data/way_times`: lines with the name of a
 /// level file, without its extension, and a number. Other lines are left out.
 std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text);
 

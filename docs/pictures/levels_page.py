@@ -4,7 +4,7 @@
 usage: levels_page.py PLATON-LEVEL ROOT [--check]
 
 The ideas are the comments between the title and the solid of each level file; the figures are those of the recorded ways
-in levels/ways. --check compares the page with what would be written, and exits with 1 if it differs.
+in levels/data/ways. --check compares the page with what would be written, and exits with 1 if it differs.
 """
 
 import json
@@ -35,7 +35,7 @@ class PageError(Exception):
 
 def facts_of(tool, root, level):
     """The facts of the recorded way of a level."""
-    recording = root / f"levels/ways/{level.stem}.recording"
+    recording = root / f"levels/data/ways/{level.stem}.recording"
     command = [str(tool), "solve", str(level), "--recorded", str(recording), "--json"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
@@ -87,7 +87,7 @@ def counted(levels):
 
 
 def page(tool, root):
-    levels = sorted(root.glob("levels/*/*.level"), key=lambda path: path.name)
+    levels = sorted(root.glob("levels/data/*/*.level"), key=lambda path: path.name)
     several = sum(head_of(level)["players"] != "1" for level in levels)
     parts = [INTRODUCTION.format(count=len(levels), solids=counted(levels), several=several)]
     folder = None

@@ -47,7 +47,7 @@ def draw_frames(client, root, picture, folder, seconds):
     """The frames of a picture, in order."""
     options = ["--from", picture["from"], "--seconds", seconds, "--fps", FRAMES_PER_SECOND]
     options += ["--width", picture.get("width", 1280), "--zoom", picture.get("zoom", 1), "--players", picture.get("players", 1)]
-    level = root / "levels" / (picture["level"] + ".level")
+    level = root / "levels/data" / (picture["level"] + ".level")
     run(client, "--offscreen", "--demo", "--level", level, "--frames", folder, *options)
     return sorted(Path(folder).glob("*.png"))
 
@@ -89,7 +89,7 @@ def make_editor_picture(client, root):
     file = root / FOLDER / "editor.png"
     with tempfile.TemporaryDirectory() as folder:
         whole = Path(folder) / "whole.png"
-        level = root / "levels" / (EDITED + ".level")
+        level = root / "levels/data" / (EDITED + ".level")
         run(client, "--edit", level, "--offscreen", "--seconds", EDITOR_SECONDS, "--screenshot", whole)
         run("pngquant", "--speed", 1, "--strip", "--force", "--output", file, 256, whole)
     return file
@@ -117,7 +117,7 @@ def main(arguments):
         for picture in window_pictures.PICTURES:
             print(make_window_picture(client, root, picture))
         print(make_editor_picture(client, root))
-        for level in [*sorted(root.glob("levels/*/*.level"), key=lambda path: path.name), root / ELEMENTS]:
+        for level in [*sorted(root.glob("levels/data/*/*.level"), key=lambda path: path.name), root / ELEMENTS]:
             print(make_level_picture(tool, root, level))
         print(levels_page.write(tool, root))
     except (PictureError, levels_page.PageError) as error:

@@ -2,7 +2,7 @@
 
 import re
 
-# Of the times in levels/way_times: gold, silver, gold, bronze and silver.
+# Of the times in levels/data/way_times: gold, silver, gold, bronze and silver.
 SHARES = [1.05, 1.3, 1.1, 2.0, 1.4]
 DATE = "2026-01-01T12:00:00Z"
 BITS = (1 << 64) - 1
@@ -21,10 +21,10 @@ def text(root):
     """`root`: of the project. Raises OSError if a file is missing."""
     game = (root / "shared/include/platon/game/game.h").read_text(encoding="utf-8")
     rules = re.search(r"kRulesVersion = (\d+);", game)[1]
-    lines = (root / "levels/way_times").read_text(encoding="utf-8").splitlines()
+    lines = (root / "levels/data/way_times").read_text(encoding="utf-8").splitlines()
     ways = [line.split() for line in lines if not line.startswith("#")]
     times = ""
     for share, (name, ticks) in zip(SHARES, ways):
-        level = next(root.glob(f"levels/*/{name}.level")).read_bytes()
+        level = next(root.glob(f"levels/data/*/{name}.level")).read_bytes()
         times += f"{hash_of([len(level), *level]):016x} {rules} {round(share * int(ticks))} {DATE} Ada\n"
     return times

@@ -38,9 +38,10 @@ TEST(ShortenedLevelTest, IsFound) {
     std::string file;
     std::string end;  // of the line that is left out
   };
-  const std::vector<Case> cases = {{"levels/tetrahedron/11_the_order_of_corners.level", " door 1"},
-                                   {"levels/icosahedron/30_four_downs.level", " door 1"},
-                                   {"levels/octahedron/13_third_of_a_turn.level", "-64.3162 -151.8431 57.5129 59.171"}};
+  const std::vector<Case> cases = {
+      {"levels/data/tetrahedron/11_the_order_of_corners.level", " door 1"},
+      {"levels/data/icosahedron/30_four_downs.level", " door 1"},
+      {"levels/data/octahedron/13_third_of_a_turn.level", "-64.3162 -151.8431 57.5129 59.171"}};
   for (const Case& each : cases) {
     const ShippedLevel shipped(each.file);
     const auto shortened =

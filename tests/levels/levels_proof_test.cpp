@@ -20,9 +20,9 @@ namespace {
 
 // One level of each solid whose shortcut has crossings.
 const std::vector<std::string> kOneOfEachSolid{
-    "levels/hexahedron/05_key_on_the_wall.level", "levels/tetrahedron/10_two_ups.level",
-    "levels/octahedron/16_the_long_key.level", "levels/dodecahedron/22_one_turn_is_not_enough.level",
-    "levels/icosahedron/30_four_downs.level"};
+    "levels/data/hexahedron/05_key_on_the_wall.level", "levels/data/tetrahedron/10_two_ups.level",
+    "levels/data/octahedron/16_the_long_key.level", "levels/data/dodecahedron/22_one_turn_is_not_enough.level",
+    "levels/data/icosahedron/30_four_downs.level"};
 
 std::shared_ptr<const Level> withGoal(const Level& level, const EntityState& place) {
   char goal[80];

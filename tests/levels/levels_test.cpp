@@ -85,7 +85,7 @@ TEST(ShippedLevelsTest, TheTableOfWaysHasTheirTimes) {
     ASSERT_TRUE(facts) << shipped.name();
     table += shipped.name() + " " + std::to_string(facts->ticks) + "\n";
   }
-  EXPECT_EQ(readText("levels/way_times"), table) << "run tests/levels/record.sh --times";
+  EXPECT_EQ(readText("levels/data/way_times"), table) << "run tests/levels/record.sh --times";
 }
 
 TEST(ShippedLevelsTest, AreEnoughOnEachSolidAndForTwoPlayers) {
@@ -105,7 +105,7 @@ TEST(ShippedLevelsTest, AreEnoughOnEachSolidAndForTwoPlayers) {
   EXPECT_GE(needCrossings, 24);
 }
 
-// The levels in levels/drawn are in the order in which they were drawn in the editor.
+// The levels in levels/data/drawn are in the order in which they were drawn in the editor.
 TEST(ShippedLevelsTest, GetHarderOnEachSolid) {
   std::map<SolidKind, std::pair<int, std::string>> hardest;
   for (const std::string& file : shippedLevels()) {
@@ -124,7 +124,7 @@ TEST(ShippedLevelsTest, GetHarderOnEachSolid) {
 TEST(ShippedLevelsTest, EachRecordingHasItsLevel) {
   std::set<std::string> names;
   for (const std::string& file : shippedLevels()) names.insert(shippedName(file));
-  for (const std::string& file : filesIn("levels/ways", ".recording")) {
+  for (const std::string& file : filesIn("levels/data/ways", ".recording")) {
     EXPECT_TRUE(names.contains(shippedName(file))) << file;
   }
 }

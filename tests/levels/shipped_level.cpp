@@ -13,7 +13,7 @@ std::string shippedName(const std::string& file) { return std::filesystem::path(
 ShippedLevel::ShippedLevel(const std::string& file) : name_(shippedName(file)) {
   level_ = loadLevel(readText(file)).level;
   if (!level_) throw std::runtime_error(file + " is invalid; see platon-level check");
-  recording_ = readBytes("levels/ways/" + name_ + ".recording");
+  recording_ = readBytes("levels/data/ways/" + name_ + ".recording");
   way_ = readRecordedWay(recording_);
 }
 

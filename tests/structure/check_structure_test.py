@@ -97,7 +97,7 @@ class Purity(Tree):
 
 class Form(Tree):
     def test_long_file(self):
-        self.assert_allowed("levels/file.cpp", "\n" * 600)
+        self.assert_allowed("levels/tool/file.cpp", "\n" * 600)
         self.assert_refused("tests/CMakeLists.txt", "\n" * 601, 601, "601 lines")
 
     def test_leftovers_and_machine_paths(self):

@@ -123,7 +123,7 @@ TEST(Demo, AloneOnALevelForSeveralItPlaysItsPartAgainAndAgain) {
 
 // A missed input, here a second of other ones.
 TEST(Demo, BeginsTheWayAgainAfterAMissedInput) {
-  Game game(levelIn("levels/hexahedron/01_run_and_jump.level"));
+  Game game(levelIn("levels/data/hexahedron/01_run_and_jump.level"));
   Demo demo(shippedWay);
   EXPECT_FALSE(finishes(demo, game, 0, 100));
   for (int tick = 0; tick < kTicksPerSecond; ++tick) game.advance(std::vector{Input{Input::kPresent | Input::kLeft}});
@@ -161,13 +161,13 @@ TEST(Demo, PlaysTheNextRound) {
   Demo demo(shippedWay);
   Game first(roomLevel(""));
   EXPECT_TRUE(finishes(demo, first, 2, 3000));
-  Game second(levelIn("levels/hexahedron/01_run_and_jump.level"));
+  Game second(levelIn("levels/data/hexahedron/01_run_and_jump.level"));
   EXPECT_TRUE(finishes(demo, second, 2, 3000));
 }
 
 TEST(Demo, PressesNothingWhileAbsent) {
   Demo demo(shippedWay);
-  const Game game(levelIn("levels/hexahedron/01_run_and_jump.level"));
+  const Game game(levelIn("levels/data/hexahedron/01_run_and_jump.level"));
   EXPECT_EQ(demo.choose(game, 0), Input{});
 }
 

@@ -23,7 +23,7 @@ constexpr std::uint32_t kWidth = 480;
 constexpr std::uint32_t kHeight = 270;
 
 Scene matchScene() {
-  const LevelResult result = loadLevel(readText("levels/dodecahedron/21_leap_for_the_key.level"));
+  const LevelResult result = loadLevel(readText("levels/data/dodecahedron/21_leap_for_the_key.level"));
   const auto stage = makeStageModel(*result.level);
   std::vector<PlayerDrawing> players;
   for (std::uint32_t slot = 0; slot < 3; ++slot) {

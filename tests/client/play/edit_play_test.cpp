@@ -112,13 +112,13 @@ TEST_F(EditPlayTest, ClosingTheWindowAsksToo) {
 }
 
 TEST_F(EditPlayTest, AChangedFileIsReadAgain) {
-  std::filesystem::copy_file("levels/hexahedron/01_run_and_jump.level", path_);
+  std::filesystem::copy_file("levels/data/hexahedron/01_run_and_jump.level", path_);
   const std::string text = readText(path_) + "# more\n";
   EXPECT_TRUE(edit({{[&] { writeText(path_, text); }, [&] { return play_->editor().level().text() == text; }}}));
 }
 
 TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
-  const std::string text = readText("levels/hexahedron/01_run_and_jump.level");
+  const std::string text = readText("levels/data/hexahedron/01_run_and_jump.level");
   writeText(path_, text);
   const auto drawn = [&] { return play_->editor().level().unsaved(); };
   const auto refuses = [&] { return play_->editor().status().message.find("save again") != std::string::npos; };

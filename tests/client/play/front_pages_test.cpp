@@ -185,7 +185,7 @@ TEST_F(FrontPagesTest, OnlyLevelsOfTheGameHaveMedals) {
 }
 
 TEST_F(FrontPagesTest, ARaceOnALevelOfTheGameStartsItAndTheOthersFollow) {
-  const auto ghost = keepGhost(readText("levels/ways/02_over_the_edge.recording"));
+  const auto ghost = keepGhost(readText("levels/data/ways/02_over_the_edge.recording"));
   pages_.showRun(ghost);
   EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
   EXPECT_EQ(pages_.shownLevel()->title, "Over the edge");

@@ -109,13 +109,13 @@ TEST_F(MatchPagesTest, WithOthersAGamepadThatIsUnpluggedStopsNoGameAndThePauseLe
 }
 
 TEST_F(MatchPagesTest, TheBestRunIsOfferedAsLongAsThePlayerIsAlone) {
-  const std::filesystem::path recording = "levels/ways/01_run_and_jump.recording";
+  const std::filesystem::path recording = "levels/data/ways/01_run_and_jump.recording";
   const std::uint64_t level = readRecordingHeadOf(recording).value().level->hash;
   const std::string name = RunStore::fileNameOf(level, readRecordingFacts(recording).ticks.value());
   std::filesystem::create_directories(runsFolder());
   writeText(runsFolder() / name, readText(recording));
   const auto idle = [](const Game&, std::uint32_t) { return Input{}; };
-  choice_.own.levels = {"levels/hexahedron/01_run_and_jump.level"};
+  choice_.own.levels = {"levels/data/hexahedron/01_run_and_jump.level"};
   match_->leave();
   match_.emplace(ClientOptions(), choice_, clock_);
   ASSERT_TRUE(waitUntil([&] {

@@ -90,7 +90,7 @@ TEST(ReplayPlay, DrawsBeforeAndAfterTheFileHasBeenRead) {
 
 TEST(ReplayPlay, AtTheGoalTheMedalIsShown) {
   const Offscreen offscreen;
-  ReplayPlay play("levels/ways/01_run_and_jump.recording");
+  ReplayPlay play("levels/data/ways/01_run_and_jump.recording");
   waitForRead(play);
   const auto pictureOf = [&play](double seconds, const ReplayContext& context) {
     GameView view(640, 360);

@@ -17,8 +17,8 @@ namespace platon::window_match_test {
 namespace {
 
 constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level";
-constexpr const char* kRunLevel = "levels/hexahedron/01_run_and_jump.level";
-constexpr const char* kRun = "levels/ways/01_run_and_jump.recording";
+constexpr const char* kRunLevel = "levels/data/hexahedron/01_run_and_jump.level";
+constexpr const char* kRun = "levels/data/ways/01_run_and_jump.recording";
 
 class WindowMatchTest : public WindowPlayTest {
  protected:
@@ -252,7 +252,7 @@ TEST_F(WindowMatchTest, WhoJoinsEndsTheReplayInFrontOfTheGame) {
 
 TEST_F(WindowMatchTest, ARecordingIsRacedAndAPictureIsKept) {
   const EnvironmentVariable pictures{"XDG_PICTURES_DIR", (folder_ / "pictures").string()};
-  keepRecording("Anna.recording", "levels/ways/01_run_and_jump.recording");
+  keepRecording("Anna.recording", "levels/data/ways/01_run_and_jump.recording");
   bool quits = false;
   play({{[] {}, [this] { return shows("Replays"); }},
         {[this] { clickOn("Replays"); }, [this] { return shows("Run and jump"); }},

@@ -371,10 +371,10 @@ TEST_F(WindowPlayTest, ADroppedRecordingIsPlayedButNotDuringAGame) {
 }
 
 TEST_F(WindowPlayTest, TheBestRunIsWatchedInAPauseAndLeadsBackToIt) {
-  options_.level = "levels/hexahedron/01_run_and_jump.level";
+  options_.level = "levels/data/hexahedron/01_run_and_jump.level";
   const std::uint64_t level = loadLevel(readText(options_.level)).level->hash;
   std::filesystem::create_directories(folder_ / "platon/runs");
-  std::filesystem::copy_file("levels/ways/01_run_and_jump.recording",
+  std::filesystem::copy_file("levels/data/ways/01_run_and_jump.recording",
                              folder_ / "platon/runs" / RunStore::fileNameOf(level, 5));
   play({{[] {}, [this] { return isOnGround().has_value(); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},

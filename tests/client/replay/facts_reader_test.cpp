@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRecording = "levels/ways/01_run_and_jump.recording";
+constexpr const char* kRecording = "levels/data/ways/01_run_and_jump.recording";
 
 // As the list of a folder has it.
 DatedFile dated(const fs::path& file) { return {file, fs::file_size(file), fs::last_write_time(file)}; }

@@ -45,7 +45,7 @@ TEST_F(RecordingFactsTest, ARunHasItsTime) {
 }
 
 TEST_F(RecordingFactsTest, TheTimesAreThoseOfTheWholePlay) {
-  for (const auto& entry : std::filesystem::directory_iterator("levels/ways")) {
+  for (const auto& entry : std::filesystem::directory_iterator("levels/data/ways")) {
     if (entry.path().extension() != ".recording") continue;
     const RecordingFacts facts = readRecordingFacts(entry.path());
     const auto track = readTrack(entry.path());

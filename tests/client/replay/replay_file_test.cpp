@@ -47,7 +47,7 @@ TEST(ReplayFile, APipeIsNotWaitedFor) {
 TEST(ReplayFile, AStopEndsTheReading) {
   std::stop_source stop;
   stop.request_stop();
-  const std::filesystem::path file = "levels/ways/01_run_and_jump.recording";
+  const std::filesystem::path file = "levels/data/ways/01_run_and_jump.recording";
   const RecordingBytes read = readRecordingBytes(file, stop.get_token());
   EXPECT_EQ(read.content, "");
   EXPECT_EQ(read.fault, "was not read to its end");

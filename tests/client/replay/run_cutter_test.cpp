@@ -77,7 +77,7 @@ TEST_P(EveryWay, IsCut) {
   EXPECT_GT(runs, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryWay, testing::ValuesIn(filesIn("levels/ways", ".recording")),
+INSTANTIATE_TEST_SUITE_P(All, EveryWay, testing::ValuesIn(filesIn("levels/data/ways", ".recording")),
                          [](const auto& file) { return "way_" + std::filesystem::path(file.param).stem().string(); });
 
 TEST(RunCutter, ARunBeginsWithAFreshGameOfOnePlayer) {
