@@ -16,8 +16,9 @@ constexpr double kRollSmoothing = 0.07;  // seconds in which the heard speed fol
 
 }  // namespace
 
-Audio::Audio(Open open)
-    : loading_([open = std::move(open)](const std::stop_token& stop) { return load(open, stop); }) {}
+Audio::Audio(Open open) {
+  loading_.add([open = std::move(open)](const std::stop_token& stop) { return load(open, stop); });
+}
 
 Audio::Ready Audio::load(const Open& open, const std::stop_token& stop) {
   Ready ready;
@@ -78,7 +79,7 @@ void Audio::updateMusic(const SoundFrame& frame, double seconds) {
 // Whether the pad can be heard. The first time, starts to make it.
 bool Audio::hasPad(SolidKind solid) {
   std::optional<Pad>& pad = pads_[static_cast<std::size_t>(solid)];
-  if (!pad) pad = Pad{Job<Pcm>([solid](const std::stop_token&) { return makePad(solid); })};
+  if (!pad) pad.emplace().making.add([solid](const std::stop_token&) { return makePad(solid); });
   return pad->loop.has_value();
 }
 

@@ -10,13 +10,13 @@
 #include "client/audio/sound_frame.h"
 #include "client/audio/sounds.h"
 #include "client/audio/volumes.h"
-#include "client/job/job.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
 /// Makes the game heard: opens the device, makes the sounds and plays them. The device is opened, and sounds and pads
 /// are made, in threads of their own, so that no frame waits for them; what is to be heard before is left out. The
-/// end waits for the threads: usually not at all, at most until a pad has been made.
+/// end waits for the threads: usually not at all, at most until a pad has been made, or for Worker::kEndTime.
 class Audio {
  public:
   using Open = std::function<std::unique_ptr<OpenalOutput>()>;
@@ -39,8 +39,8 @@ class Audio {
     OpenalOutput::Loop roll{};
   };
   struct Pad {
-    Job<Pcm> making;
-    std::optional<OpenalOutput::Loop> loop{};
+    Worker<Pcm> making;
+    std::optional<OpenalOutput::Loop> loop;
   };
 
   static Ready load(const Open& open, const std::stop_token& stop);
@@ -51,7 +51,7 @@ class Audio {
   bool hasPad(SolidKind solid);
   void takePads();
 
-  Job<Ready> loading_;
+  Worker<Ready> loading_;
   std::optional<Ready> ready_;
   std::array<std::optional<Pad>, kSolidKinds> pads_;
   MusicFade fade_;

@@ -57,63 +57,38 @@ std::vector<std::vector<FacePlace>> pathsOf(const std::shared_ptr<const Level>& 
 
 }  // namespace
 
-LevelAnalysis::LevelAnalysis() : thread_([this] { run(); }) {}
-
-LevelAnalysis::~LevelAnalysis() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-    ++newest_;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
 void LevelAnalysis::start(std::shared_ptr<const Level> level) {
-  {
-    const std::lock_guard lock(mutex_);
-    level_ = std::move(level);
-    report_.reset();
-    ++newest_;
-  }
-  changed_.notify_all();
+  report_ = std::make_shared<Report>();
+  analysing_.restart([level = std::move(level), published = report_](const std::stop_token& stop) {
+    return analyse(level, *published, [&] { return stop.stop_requested(); });
+  });
 }
 
 std::optional<LevelReport> LevelAnalysis::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(report_, std::nullopt);
+  (void)analysing_.poll();
+  const std::lock_guard lock(report_->mutex);
+  return std::exchange(report_->newest, std::nullopt);
 }
 
-void LevelAnalysis::run() {
-  std::uint64_t done = 0;
-  while (true) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return ending_ || newest_ != done; });
-    if (ending_) return;
-    done = newest_;
-    const std::shared_ptr<const Level> level = level_;
-    lock.unlock();
-    analyse(level, done);
-  }
-}
-
-void LevelAnalysis::analyse(const std::shared_ptr<const Level>& level, std::uint64_t job) {
-  const std::function<bool()> stop = [&] { return newest_ != job; };
+// Returns whether the analysis has ended by itself.
+bool LevelAnalysis::analyse(const std::shared_ptr<const Level>& level, Report& published,
+                            const std::function<bool()>& stop) {
   LevelReport report;
   report.level = level;
-  publish(report, job);
+  published.set(report);
   JumpHeights::Options options;
   options.stop = stop;
   const JumpHeights heights(*level, options);
-  if (heights.isStopped()) return;
+  if (heights.isStopped()) return false;
   report.reached = std::make_shared<const std::vector<FacePlace>>(reachedPlaces(*level, heights));
   if (!heights.reachesGoal()) report.way = LevelReport::Way::kImpossible;
-  publish(report, job);
+  published.set(report);
   if (heights.reachesGoal()) search(report, stop);
-  publish(report, job);
+  published.set(report);
   report.warnings = warningsOf(level, stop);
   report.finished = true;
-  publish(report, job);
+  published.set(report);
+  return true;
 }
 
 void LevelAnalysis::search(LevelReport& report, const std::function<bool()>& stop) {
@@ -131,9 +106,9 @@ void LevelAnalysis::search(LevelReport& report, const std::function<bool()>& sto
   if (facts) report.paths = pathsOf(report.level, *solution);
 }
 
-void LevelAnalysis::publish(const LevelReport& report, std::uint64_t job) {
-  const std::lock_guard lock(mutex_);
-  if (newest_ == job) report_ = report;
+void LevelAnalysis::Report::set(const LevelReport& report) {
+  const std::lock_guard lock(mutex);
+  newest = report;
 }
 
 }  // namespace platon

@@ -1,19 +1,18 @@
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "client/editor/edited_segment.h"
 #include "levels/solve/solution.h"
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -38,16 +37,11 @@ struct LevelReport {
   bool finished = false;                      ///< nothing will be added
 };
 
-/// Analyses one level after another on a thread of its own: first where a ball can be at most, then a way to the goal.
+/// Analyses one level after another in a thread: first where a ball can be at most, then a way to the goal.
 class LevelAnalysis {
  public:
   /// Most states of a search: they bound its memory to some hundred megabytes.
   static constexpr std::size_t kMaxStates = 1000000;
-
-  LevelAnalysis();
-  ~LevelAnalysis();
-  LevelAnalysis(const LevelAnalysis&) = delete;
-  LevelAnalysis& operator=(const LevelAnalysis&) = delete;
 
   /// Gives up the present level and begins with this one. Does not wait.
   void start(std::shared_ptr<const Level> level);
@@ -55,18 +49,19 @@ class LevelAnalysis {
   std::optional<LevelReport> take();
 
  private:
-  void run();
-  void analyse(const std::shared_ptr<const Level>& level, std::uint64_t job);
-  static void search(LevelReport& report, const std::function<bool()>& stop);
-  void publish(const LevelReport& report, std::uint64_t job);
+  // Of one level. One that was given up has a report that nobody takes.
+  struct Report {
+    std::mutex mutex;
+    std::optional<LevelReport> newest;  // not yet taken
 
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::shared_ptr<const Level> level_;  // of the newest job
-  std::optional<LevelReport> report_;   // not yet taken
-  bool ending_ = false;
-  std::atomic<std::uint64_t> newest_{0};  // job; older ones stop
-  std::thread thread_;                    // last: it uses the others
+    void set(const LevelReport& report);
+  };
+
+  static bool analyse(const std::shared_ptr<const Level>& level, Report& published, const std::function<bool()>& stop);
+  static void search(LevelReport& report, const std::function<bool()>& stop);
+
+  std::shared_ptr<Report> report_ = std::make_shared<Report>();
+  Worker<bool> analysing_;
 };
 
 }  // namespace platon

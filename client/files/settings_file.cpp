@@ -40,7 +40,7 @@ FileWriter::Replace replaceAfterCopy(std::string broken, const std::string& copy
 SettingsFile::SettingsFile(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   path_ = folder / "settings";
-  writer_.emplace(path_.string(), FileWriter::startThread, replaceWithFolder);
+  writer_.emplace(path_.string(), startThread, replaceWithFolder);
 }
 
 Settings SettingsFile::load() {
@@ -59,7 +59,7 @@ Settings SettingsFile::load() {
   if (const std::size_t invalid = result.errors.size() - result.unknownLines.size(); invalid != 0) {
     fault_ = (invalid == 1 ? "1 line" : std::to_string(invalid) + " lines") + " of " + path_.string() +
              (invalid == 1 ? " is" : " are") + " invalid; the old file is kept as " + brokenPath();
-    if (writer_) writer_.emplace(path_.string(), FileWriter::startThread, replaceAfterCopy(*text, brokenPath()));
+    if (writer_) writer_.emplace(path_.string(), startThread, replaceAfterCopy(*text, brokenPath()));
   }
   unknownLines_ = std::move(result.unknownLines);
   return result.settings;

@@ -1,6 +1,7 @@
 #include "client/gl/screenshot_writer.h"
 
 #include <cstdio>
+#include <memory>
 #include <system_error>
 
 namespace platon {
@@ -32,34 +33,18 @@ std::string writeTo(const std::filesystem::path& folder, const Image& image) {
 
 }  // namespace
 
-ScreenshotWriter::~ScreenshotWriter() {
-  while (writing_.isPending()) take(writing_.wait());
-}
-
 void ScreenshotWriter::write(Image image) {
-  if (waiting_.size() == kMaxWaiting) {
+  if (writing_.pending() > kMaxWaiting) {
     report_ = notSaved("too many at once");
     return;
   }
-  waiting_.push_back(std::make_shared<const Image>(std::move(image)));
-  if (!writing_.isPending()) startNext();
-}
-
-void ScreenshotWriter::startNext() {
-  if (waiting_.empty()) return;
-  writing_ = Job<std::string>([folder = folder_, image = std::move(waiting_.front())](
-                                  const std::stop_token&) { return writeTo(folder, *image); },
-                              start_);
-  waiting_.pop_front();
-}
-
-void ScreenshotWriter::take(JobResult<std::string> written) {
-  report_ = written.value ? std::move(*written.value) : notSaved(written.fault);
-  startNext();
+  writing_.add([folder = folder_, shared = std::make_shared<const Image>(std::move(image))](const std::stop_token&) {
+    return writeTo(folder, *shared);
+  });
 }
 
 std::optional<std::string> ScreenshotWriter::takeReport() {
-  if (auto written = writing_.poll()) take(std::move(*written));
+  if (auto written = writing_.poll()) report_ = written->value ? std::move(*written->value) : notSaved(written->fault);
   return std::exchange(report_, std::nullopt);
 }
 

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "client/gl/image.h"
-#include "client/job/job.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -22,9 +20,9 @@ class ScreenshotWriter {
 
   /// The folder is made when it is needed; an empty path: the working directory.
   explicit ScreenshotWriter(std::filesystem::path folder, ThreadStart start = &startThread)
-      : folder_(std::move(folder)), start_(std::move(start)) {}
-  /// Waits until all pictures are written.
-  ~ScreenshotWriter();
+      : folder_(std::move(folder)), writing_(std::move(start)) {}
+  /// Waits until all pictures are written, for at most Worker::kEndTime.
+  ~ScreenshotWriter() { writing_.finish(); }
   ScreenshotWriter(const ScreenshotWriter&) = delete;
   ScreenshotWriter& operator=(const ScreenshotWriter&) = delete;
 
@@ -35,14 +33,9 @@ class ScreenshotWriter {
   std::optional<std::string> takeReport();
 
  private:
-  void startNext();
-  void take(JobResult<std::string> written);
-
   std::filesystem::path folder_;
-  ThreadStart start_;
-  std::deque<std::shared_ptr<const Image>> waiting_;
-  Job<std::string> writing_;  // what to report
   std::optional<std::string> report_;
+  Worker<std::string> writing_;  // what to report
 };
 
 }  // namespace platon

@@ -38,19 +38,16 @@ ServerList readAt(const std::string& url, const std::stop_token& stop) {
 
 }  // namespace
 
-ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve, const ThreadStart& start)
+ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve, ThreadStart start)
     : url_(std::move(url)),
       resolve_(std::move(resolve)),
       search_(std::make_unique<UdpSocket>(), randomNumber, isOfThisMachine(url_)),
-      job_([url = url_, stop = stop_.get_token()](const std::stop_token&) { return readAt(url, stop); }, start) {}
-
-bool ListedServers::hasStopped() {
-  (void)job_.poll();
-  return !job_.isPending();
+      reading_(std::move(start)) {
+  reading_.add([url = url_](const std::stop_token& stop) { return readAt(url, stop); });
 }
 
 void ListedServers::update(Moment now) {
-  if (auto result = job_.poll()) take(*result, now);
+  if (auto result = reading_.poll()) take(*result, now);
   takeNames(now);
   search_.update(now);
 }

@@ -2,14 +2,13 @@
 
 #include <chrono>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "client/job/job.h"
 #include "client/lobby/listed_search.h"
 #include "client/lobby/name_lookup.h"
 #include "protocol/transport/server_list.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -23,22 +22,21 @@ class ListedServers {
   /// Begins to read the list at a URL, in a thread that `start` starts. The destructor ends the reading, which may take
   /// a second, and does not wait for names that are looked up. Throws SocketError.
   explicit ListedServers(std::string url, NameLookup::Resolve resolve = NameLookup::firstAddressOf,
-                         const ThreadStart& start = &startThread);
-  ~ListedServers() { stop(); }
+                         ThreadStart start = &startThread);
   ListedServers(const ListedServers&) = delete;
   ListedServers& operator=(const ListedServers&) = delete;
 
   /// Ends the reading without waiting for it, for a caller that cannot wait: afterwards only hasStopped may be called.
-  void stop() { stop_.request_stop(); }
+  void stop() { reading_.drop(); }
   /// Whether the destructor need not wait any more.
-  bool hasStopped();
+  bool hasStopped() const { return reading_.isIdle(); }
 
   /// Sends what is due and takes what has arrived.
   void update(Moment now);
   /// Sleeps until something may have arrived, at most so long.
   void wait(std::chrono::milliseconds time) { search_.socket().wait(time); }
   /// Whether the list is still being read, or a server in it has not been asked yet.
-  bool reading() const { return job_.isPending() || lookup_ || search_.isBehind(); }
+  bool reading() const { return reading_.isPending() || lookup_ || search_.isBehind(); }
   /// Sentences on why the list, or servers in it, are left out.
   const std::vector<std::string>& faults() const { return list_.faults; }
   /// In the order in which they have answered first; at most ListedSearch::kMaxServers.
@@ -56,8 +54,7 @@ class ListedServers {
   NameLookup::Resolve resolve_;
   ServerList list_;
   ListedSearch search_;  // of no server until the list is read
-  std::stop_source stop_;
-  Job<ServerList> job_;
+  Worker<ServerList> reading_;
   std::optional<NameLookup> lookup_;  // nothing: all names were looked up
   Moment lookupEnd_{};
 };

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "protocol/transport/socket_address.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -21,26 +23,20 @@ class NameLookup {
     std::optional<IpAddress> address;  ///< nothing: none was found
   };
 
-  /// Begins with the first of `hosts`. Where there is no thread, no name has an address.
+  /// Begins with the first of `hosts`. The destructor ends the lookup after the present name, without waiting for it.
   explicit NameLookup(std::vector<std::string> hosts, const Resolve& resolve = firstAddressOf);
-  /// Ends the lookup after the present name, without waiting for it.
-  ~NameLookup();
-  NameLookup(const NameLookup&) = delete;
-  NameLookup& operator=(const NameLookup&) = delete;
 
   /// The answers since the last call, in the order of the hosts.
   std::vector<Answer> take();
   /// Whether answers are still to be taken.
-  bool isPending() const { return pending_ > 0; }
+  bool isPending() const { return finding_.isPending(); }
 
   /// As the system says.
   static std::optional<IpAddress> firstAddressOf(const std::string& host);
 
  private:
-  struct State;
-
-  std::shared_ptr<State> state_;  // shared with the thread, which may outlive this
-  std::size_t pending_;
+  std::deque<std::string> hosts_;  // whose answers have not been taken
+  Worker<std::optional<IpAddress>> finding_;
 };
 
 }  // namespace platon

@@ -25,10 +25,11 @@ void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, d
   view.draw(&scene, shown, settings, Overlay(), seconds, bar);
 }
 
-ReplayPlay::ReplayPlay(std::filesystem::path file)
-    : file_(std::move(file)), reading_([file = file_, progress = progress_](const std::stop_token& stop) {
-        return readReplay(file, stop, progress.get());
-      }) {}
+ReplayPlay::ReplayPlay(std::filesystem::path file) : file_(std::move(file)) {
+  reading_.add([read = file_, progress = progress_](const std::stop_token& stop) {
+    return readReplay(read, stop, progress.get());
+  });
+}
 
 void ReplayPlay::advance(double seconds) {
   if (auto read = reading_.poll()) return take(std::move(*read));

@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "client/gl/game_view.h"
-#include "client/job/job.h"
 #include "client/replay/replay_viewer.h"
 #include "client/ui/medal.h"
 #include "client/ui/settings.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -60,7 +60,7 @@ class ReplayPlay {
 
   std::filesystem::path file_;
   std::shared_ptr<ReplayProgress> progress_ = std::make_shared<ReplayProgress>(0);  // of reading_
-  Job<Read> reading_;
+  Worker<Read> reading_;
   std::optional<ReplayViewer> viewer_;
   std::string fault_;
   bool leaving_ = false;

@@ -23,8 +23,8 @@ void RunKeeper::countRuns(bool count) {
 // The name of the file tells the time of the best run at once.
 void RunKeeper::load(std::shared_ptr<const Level> level) {
   level_ = std::move(level);
-  tracking_ = {};
-  loadingOthers_ = {};
+  tracking_.drop();
+  loadingOthers_.drop();
   best_.reset();
   others_.clear();
   const BestRunSource source{saver_.store(), saver_.unsavedOn(*level_)};
@@ -34,18 +34,17 @@ void RunKeeper::load(std::shared_ptr<const Level> level) {
   unsavedFile_ = source.unsaved ? source.own.fileOf(*source.unsaved) : std::filesystem::path();
   if (source.unsaved) bestTicks_ = source.unsaved->ticks;
   isFileNew_ = false;
-  loading_ = Job<LevelGhosts>(
-      [source, played = level_](const std::stop_token& stop) { return readBestGhost(source, *played, stop); }, start_);
+  loading_.restart(
+      [source, played = level_](const std::stop_token& stop) { return readBestGhost(source, *played, stop); });
 }
 
 // An attempt that has begun meanwhile is compared with the best run from now on. The thread may have found the file
 // that a run written meanwhile has replaced.
 void RunKeeper::takeBest(JobResult<LevelGhosts> read) {
   const OtherRunsSource others{ghostFolder_, rivalFile_, read.value ? read.value->bestFile : std::filesystem::path()};
-  loadingOthers_ =
-      Job<LevelGhosts>([others, played = level_](
-                           const std::stop_token& stop) { return readOtherGhosts(others, *played, kMaxOthers, stop); },
-                       start_);
+  loadingOthers_.restart([others, played = level_](const std::stop_token& stop) {
+    return readOtherGhosts(others, *played, kMaxOthers, stop);
+  });
   if (!read.value) return faults_.push_back("the best run is no ghost: " + read.fault);
   best_ = std::move(read.value->best);
   bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
@@ -121,7 +120,9 @@ void RunKeeper::show(std::uint32_t tick, std::int64_t difference) {
 
 // The difference at the goal is shown until the next attempt.
 void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
-  if (loading_.isPending()) takeBest(loading_.wait());
+  if (loading_.isPending()) {
+    if (auto read = loading_.wait()) takeBest(std::move(*read));
+  }
   if (compared_) {
     show(tick_, std::int64_t{ticks} - compared_->track->ticks);
     differenceUntil_ = UINT32_MAX;
@@ -131,8 +132,7 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
   if (!run) return void(notRecorded_ = whyNotRecorded(ticks));
   isNewBest_ = true;
   bestTicks_ = ticks;
-  tracking_ = Job<std::optional<RunTrack>>(
-      [recording = run->recording](const std::stop_token& stop) { return trackIn(recording, stop); }, start_);
+  tracking_.restart([recording = run->recording](const std::stop_token& stop) { return trackIn(recording, stop); });
   unsavedFile_ = saver_.store().fileOf(*run);
   saver_.keep(std::move(*run));
 }

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "client/job/job.h"
 #include "client/netcode/prediction.h"
 #include "client/replay/level_ghosts.h"
 #include "client/replay/run_cutter.h"
@@ -17,6 +16,7 @@
 #include "client/replay/run_track.h"
 #include "client/scene/scene.h"
 #include "client/ui/run_timer.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -33,11 +33,13 @@ class RunKeeper : public ConfirmedObserver {
   /// `ghosts`: a folder with runs of others. `rival`: a recording that is a ghost on its level besides those. Empty
   /// paths: there are none.
   RunKeeper(RunStore runs, std::filesystem::path ghosts, std::filesystem::path rival = {},
-            ThreadStart start = &startThread)
-      : start_(std::move(start)),
-        saver_(std::move(runs), start_),
+            const ThreadStart& start = &startThread)
+      : saver_(std::move(runs), start),
         ghostFolder_(std::move(ghosts)),
-        rivalFile_(std::move(rival)) {}
+        rivalFile_(std::move(rival)),
+        loading_(start),
+        loadingOthers_(start),
+        tracking_(start) {}
 
   void began(const Game& confirmed, std::uint32_t slot) override;
   void advanced(std::span<const Input> inputs, const Game& confirmed) override;
@@ -72,7 +74,6 @@ class RunKeeper : public ConfirmedObserver {
   std::string whyNotRecorded(std::uint32_t ticks) const;
   void show(std::uint32_t tick, std::int64_t difference);
 
-  ThreadStart start_;
   RunSaver saver_;
   std::filesystem::path ghostFolder_;
   std::filesystem::path rivalFile_;
@@ -82,11 +83,11 @@ class RunKeeper : public ConfirmedObserver {
   std::optional<Ghost> best_;
   std::optional<std::uint32_t> bestTicks_;  // its time; ahead of best_ while a thread reads or plays it
   std::filesystem::path bestFile_;
-  std::filesystem::path unsavedFile_;      // of a new best run, while it is being written; empty: none
-  bool isFileNew_ = false;                 // bestFile_ was written since the level has begun
-  Job<LevelGhosts> loading_;               // for these, when a level has begun
-  Job<LevelGhosts> loadingOthers_;         // for others_, after loading_: nobody waits for them
-  Job<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
+  std::filesystem::path unsavedFile_;         // of a new best run, while it is being written; empty: none
+  bool isFileNew_ = false;                    // bestFile_ was written since the level has begun
+  Worker<LevelGhosts> loading_;               // for these, when a level has begun
+  Worker<LevelGhosts> loadingOthers_;         // for others_, after loading_: nobody waits for them
+  Worker<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
   std::vector<Ghost> others_;
   std::vector<std::string> faults_;
   std::uint32_t tick_ = 0;  // of the confirmed game

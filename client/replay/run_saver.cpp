@@ -9,20 +9,16 @@ namespace platon {
 
 void RunSaver::keep(Run run) {
   waiting_.push_back(std::make_shared<const Run>(std::move(run)));
-  if (!writing_.isPending()) startNext();
+  writing_.add(
+      [store = store_, kept = waiting_.back()](const std::stop_token&) { return RunStore(store).keep(*kept); });
 }
 
-void RunSaver::startNext() {
-  if (waiting_.empty()) return;
-  writing_ = Job<std::string>(
-      [store = store_, run = waiting_.front()](const std::stop_token&) { return RunStore(store).keep(*run); }, start_);
-}
-
-void RunSaver::take(JobResult<std::string> written) {
-  std::string fault = written.value ? std::move(*written.value) : std::move(written.fault);
-  if (!fault.empty()) fault_ = std::move(fault);
-  waiting_.pop_front();
-  startNext();
+void RunSaver::takeWritten() {
+  for (auto written = writing_.poll(); written; written = writing_.take()) {
+    std::string fault = written->value ? std::move(*written->value) : std::move(written->fault);
+    if (!fault.empty()) fault_ = std::move(fault);
+    waiting_.pop_front();
+  }
 }
 
 std::shared_ptr<const Run> RunSaver::unsavedOn(const Level& level) const {
@@ -32,12 +28,13 @@ std::shared_ptr<const Run> RunSaver::unsavedOn(const Level& level) const {
 }
 
 std::optional<std::string> RunSaver::poll() {
-  if (auto written = writing_.poll()) take(std::move(*written));
+  takeWritten();
   return fault_.empty() ? std::nullopt : std::optional(std::exchange(fault_, {}));
 }
 
 void RunSaver::finish() {
-  while (writing_.isPending()) take(writing_.wait());
+  writing_.finish();
+  takeWritten();
 }
 
 }  // namespace platon

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "client/job/job.h"
 #include "client/replay/run_store.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -14,16 +14,16 @@ namespace platon {
 class RunSaver {
  public:
   explicit RunSaver(RunStore store, ThreadStart start = &startThread)
-      : store_(std::move(store)), start_(std::move(start)) {}
-  /// Waits until all runs are kept.
+      : store_(std::move(store)), writing_(std::move(start)) {}
+  /// Waits as `finish` does.
   ~RunSaver() { finish(); }
   RunSaver(const RunSaver&) = delete;
   RunSaver& operator=(const RunSaver&) = delete;
 
   void keep(Run run);
-  /// Goes on with the next run. Call now and then. Returns why the last one could not be kept, once.
+  /// Call now and then. Returns why the last one could not be kept, once.
   std::optional<std::string> poll();
-  /// Waits until all runs are kept, or have failed.
+  /// Waits until all runs are kept, or have failed, for at most Worker::kEndTime.
   void finish();
 
   /// Whether runs are still being written.
@@ -35,14 +35,12 @@ class RunSaver {
   const RunStore& store() const { return store_; }
 
  private:
-  void startNext();
-  void take(JobResult<std::string> written);
+  void takeWritten();
 
   RunStore store_;
-  ThreadStart start_;
-  std::deque<std::shared_ptr<const Run>> waiting_;  // while a thread writes, the first one is being written
-  Job<std::string> writing_;                        // why it failed, or an empty text
+  std::deque<std::shared_ptr<const Run>> waiting_;  // also the one that is being written
   std::string fault_;                               // not reported yet
+  Worker<std::string> writing_;                     // why it failed, or an empty text
 };
 
 }  // namespace platon

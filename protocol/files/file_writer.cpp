@@ -1,11 +1,6 @@
 #include "protocol/files/file_writer.h"
 
-#include <memory>
-#include <system_error>
-#include <thread>
 #include <utility>
-
-#include "protocol/files/blocked_signals.h"
 
 namespace platon {
 namespace {
@@ -14,8 +9,9 @@ constexpr const char* kSilence = "the disk does not answer";
 
 }  // namespace
 
-FileWriter::FileWriter(std::string path, Start start, Replace replace)
-    : path_(std::move(path)), start_(std::move(start)), replace_(std::move(replace)) {}
+// `finish` waits, so the end does not.
+FileWriter::FileWriter(std::string path, ThreadStart start, Replace replace)
+    : path_(std::move(path)), replace_(std::move(replace)), writing_(std::move(start), std::chrono::milliseconds(0)) {}
 
 FileWriter::~FileWriter() {
   if (!finished_) finish();
@@ -41,55 +37,42 @@ std::optional<std::string> FileWriter::poll(Time now) {
 
 // Takes a result, and starts the write that is due. Returns what has failed now, or an empty text.
 std::string FileWriter::check(Time now) {
-  if (writing_.valid()) {
-    if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return now < answerBy_ ? "" : kSilence;
-    if (std::string fault = takeResult(); !fault.empty()) return fault;
+  if (writing_.isPending()) {
+    auto written = writing_.poll();
+    if (!written) return now < answerBy_ ? "" : kSilence;
+    if (std::string fault = faultOf(std::move(*written)); !fault.empty()) return fault;
     retryAt_ = {};  // of its silence
   }
   if (!queued_ || now < retryAt_) return {};
   answerBy_ = now + kRetryInterval;
-  return start();
+  start();
+  return {};
 }
 
 // A write in progress may be one of an older content.
 std::optional<std::string> FileWriter::finish(std::chrono::milliseconds limit) {
   finished_ = true;
   while (pending_) {
-    std::string fault = writing_.valid() ? "" : start();
-    if (fault.empty()) {
-      if (writing_.wait_for(limit) != std::future_status::ready) return kSilence;
-      fault = takeResult();
-    }
-    if (!fault.empty()) return fault;
+    if (!writing_.isPending()) start();
+    auto written = writing_.wait(limit);
+    if (!written) return kSilence;
+    if (std::string fault = faultOf(std::move(*written)); !fault.empty()) return fault;
   }
+  writing_.finish(limit);  // of the thread, which has nothing more to do
   return std::nullopt;
 }
 
-// The thread outlives the writer if the disk does not answer, so it has copies of all that it needs.
-void FileWriter::startThread(std::function<void()> task) {
-  const BlockedSignals blocked;
-  std::thread(std::move(task)).detach();
-}
-
-// Returns why the write could not start, or an empty text.
-std::string FileWriter::start() {
-  const auto task = std::make_shared<std::packaged_task<std::string()>>(
-      [path = path_, content = content_, replace = replace_] { return replace(path, content); });
-  std::future<std::string> result = task->get_future();
-  try {
-    start_([task] { (*task)(); });
-  } catch (const std::system_error& error) {
-    return std::string("cannot start a thread: ") + error.what();
-  }
-  writing_ = std::move(result);
+void FileWriter::start() {
+  writing_.add([path = path_, content = content_, replace = replace_](const std::stop_token&) {
+    return replace(path, content);
+  });
   queued_ = false;
-  return {};
 }
 
 // Returns why the newest content could not be written, or an empty text; also if a newer one is queued meanwhile.
-std::string FileWriter::takeResult() {
-  std::string fault = writing_.get();
+std::string FileWriter::faultOf(JobResult<std::string> written) {
   if (queued_) return {};
+  std::string fault = written.value ? std::move(*written.value) : std::move(written.fault);
   pending_ = queued_ = !fault.empty();
   return fault;
 }

@@ -3,12 +3,12 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <future>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "protocol/files/text_file.h"
+#include "protocol/work/worker.h"
 
 namespace platon {
 
@@ -17,11 +17,7 @@ namespace platon {
 class FileWriter {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  /// Runs a task on a thread of its own that nobody waits for. Throws std::system_error if there can be no more
-  /// threads.
-  using Start = std::function<void(std::function<void()> task)>;
-
-  /// Writes a content to the file at a path. Returns why that failed, or an empty text. Called from such a thread.
+  /// Writes a content to the file at a path. Returns why that failed, or an empty text. Called from the thread.
   using Replace = std::function<std::string(const std::string& path, std::string_view content)>;
 
   /// Time from a failure to the next try.
@@ -29,7 +25,7 @@ class FileWriter {
   /// Longest time that `finish` waits for one write.
   static constexpr std::chrono::seconds kFinishTime{5};
 
-  explicit FileWriter(std::string path, Start start = startThread, Replace replace = replaceTextFile);
+  explicit FileWriter(std::string path, ThreadStart start = startThread, Replace replace = replaceTextFile);
   /// Writes what is pending, unless `finish` has tried that since the last call of `write`.
   ~FileWriter();
   FileWriter(const FileWriter&) = delete;
@@ -50,25 +46,22 @@ class FileWriter {
   /// disk.
   std::uint64_t failures() const { return failures_; }
 
-  static void startThread(std::function<void()> task);
-
  private:
-  std::string start();
-  std::string takeResult();
+  void start();
+  std::string faultOf(JobResult<std::string> written);
   std::string check(Time now);
 
   std::string path_;
-  Start start_;
   Replace replace_;
   std::string content_;  // the newest
   bool queued_ = false;  // the newest content waits for a write to start
   bool pending_ = false;
-  bool finished_ = false;             // `finish` was called after the last `write`
-  std::future<std::string> writing_;  // the reason of a failure, or empty
-  std::string reported_;              // the last reason
+  bool finished_ = false;  // `finish` was called after the last `write`
+  std::string reported_;   // the last reason
   std::uint64_t failures_ = 0;
-  Time retryAt_{};   // when to try again what has failed
-  Time answerBy_{};  // when a write in progress counts as failed
+  Time retryAt_{};               // when to try again what has failed
+  Time answerBy_{};              // when a write in progress counts as failed
+  Worker<std::string> writing_;  // the reason of a failure, or an empty text
 };
 
 }  // namespace platon

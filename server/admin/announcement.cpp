@@ -64,7 +64,7 @@ FileWriter::Replace replaceEntryAt(const ServerAddress& address) {
 Announcement::Announcement(const std::string& file, const ServerIdentity& identity, ServerAddress address)
     : identity_(identity),
       address_(std::move(address)),
-      file_(std::make_unique<FileWriter>(file, FileWriter::startThread, replaceEntryAt(address_))) {
+      file_(std::make_unique<FileWriter>(file, startThread, replaceEntryAt(address_))) {
   const auto servers = serversIn(file);
   if (const auto* error = std::get_if<ParseError>(&servers)) {
     throw ProgramError(ProgramError::kUsage, "cannot announce the server in '" + file + "': " + error->what +

@@ -6,7 +6,7 @@
 #include <future>
 #include <utility>
 
-#include "protocol/files/blocked_signals.h"
+#include "protocol/work/blocked_signals.h"
 #include "server/app/descriptor_sink.h"
 
 namespace platon {

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
-#include <thread>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "protocol/work/worker.h"
 #include "server/app/recording_folder.h"
 #include "server/match/played_round.h"
 
@@ -19,34 +23,40 @@ namespace platon {
 class RecordingWriter {
  public:
   using Time = RecordingFolder::Time;
+  using Events = std::vector<RecordingEvent>;
   /// Writes a piece and appends what happened. Called from the thread of the writer only.
-  using Write = std::function<void(const RecordingPiece& piece, Time now, std::vector<RecordingEvent>& events)>;
+  using Write = std::function<void(const RecordingPiece& piece, Time now, Events& events)>;
 
   /// Bytes that may wait to be written.
   static constexpr std::size_t kQueueBytes = std::size_t{16} << 20;
   /// Longest time that `finish` waits for the disk.
   static constexpr std::chrono::seconds kFinishTime{5};
 
+  /// The destructor does not wait for the disk: call `finish` before.
   explicit RecordingWriter(Write write);
-  /// Does not wait for the disk: call `finish` before.
-  ~RecordingWriter();
-  RecordingWriter(const RecordingWriter&) = delete;
-  RecordingWriter& operator=(const RecordingWriter&) = delete;
 
   /// Queues a piece; returns at once.
   void write(RecordingPiece piece, Time now);
   /// What has happened since the last call, in order.
-  std::vector<RecordingEvent> takeEvents();
+  Events takeEvents();
   /// Waits until all pieces are written, for at most `limit`. Returns whether they are.
-  bool finish(std::chrono::milliseconds limit = kFinishTime);
+  bool finish(std::chrono::milliseconds limit = kFinishTime) { return writing_.finish(limit); }
 
  private:
-  struct Shared;
+  struct Queued {
+    std::uint32_t round;
+    std::size_t bytes;
+  };
 
-  static void run(Shared& shared);
+  void takeWritten();
+  void stop(std::uint32_t round, std::string reason);
 
-  std::shared_ptr<Shared> shared_;  // with the thread, which outlives the writer if the disk does not answer
-  std::thread thread_;
+  std::shared_ptr<const Write> write_;
+  std::deque<Queued> queue_;              // also the piece that is being written
+  std::size_t bytes_ = 0;                 // of the queue
+  std::optional<std::uint32_t> dropped_;  // round that is recorded no further
+  Events events_;
+  Worker<Events> writing_;
 };
 
 }  // namespace platon

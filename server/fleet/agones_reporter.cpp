@@ -1,69 +1,46 @@
 #include "server/fleet/agones_reporter.h"
 
+#include <algorithm>
 #include <utility>
-
-#include "protocol/files/blocked_signals.h"
 
 namespace platon {
 
 AgonesReporter::AgonesReporter(Send send, Clock clock)
-    : send_(std::move(send)), clock_(std::move(clock)), schedule_(clock_()) {
-  const BlockedSignals blocked;
-  thread_ = std::thread([this] { run(); });
-}
-
-AgonesReporter::~AgonesReporter() {
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+    : send_(std::move(send)), clock_(std::move(clock)), schedule_(clock_()) {}
 
 void AgonesReporter::report(bool playing, const PlayerCount& count) {
-  const std::lock_guard lock(mutex_);
-  ++status_.steps;
   status_.playing = playing;
   status_.count = count;
+  step();
 }
 
-std::vector<AgonesEvent> AgonesReporter::takeEvents() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(events_, {});
-}
+std::vector<AgonesEvent> AgonesReporter::takeEvents() { return std::exchange(events_, {}); }
 
 bool AgonesReporter::finish(std::chrono::milliseconds limit) {
-  std::unique_lock lock(mutex_);
   status_.stopped = true;
-  changed_.notify_all();
-  return changed_.wait_for(lock, limit, [this] { return schedule_.shutDown(); });
-}
-
-void AgonesReporter::run() {
-  std::unique_lock lock(mutex_);
-  while (!ended_) {
-    if (!step(lock)) changed_.wait_for(lock, kInterval);
+  for (step(); !schedule_.shutDown() && limit.count() > 0; limit -= kInterval) {
+    if (auto answer = calling_.wait(std::min(limit, kInterval))) take(*answer);
+    step();
   }
+  return schedule_.shutDown();
 }
 
-// Makes a call if one is due, without the mutex. Returns whether it has.
-bool AgonesReporter::step(std::unique_lock<std::mutex>& lock) {
-  const FleetStatus status = status_;
-  const std::optional<AgonesCall> call = schedule_.due(status, clock_());
-  if (!call) return false;
-  lock.unlock();
-  const AgonesAnswer answer = send_(*call, status.count);
-  lock.lock();
-  schedule_.made(*call, status, answer, clock_());
-  note(*call, answer.fault);
-  changed_.notify_all();
-  return true;
+// Takes an answer, and makes the call that is due then.
+void AgonesReporter::step() {
+  if (auto answer = calling_.poll()) take(*answer);
+  if (calling_.isPending()) return;
+  const std::optional<AgonesCall> call = schedule_.due(status_, clock_());
+  if (!call) return;
+  made_ = {*call, status_};
+  calling_.add([send = send_, made = made_](const std::stop_token&) { return send(made.call, made.status.count); });
 }
 
-void AgonesReporter::note(AgonesCall call, const std::optional<std::string>& fault) {
-  bool& fails = fails_[static_cast<std::size_t>(call)];
-  if (std::exchange(fails, fault.has_value()) != fault.has_value()) events_.push_back({call, fault.value_or("")});
+void AgonesReporter::take(const JobResult<AgonesAnswer>& answered) {
+  const AgonesAnswer answer = answered.value ? *answered.value : AgonesAnswer{answered.fault};
+  schedule_.made(made_.call, made_.status, answer, clock_());
+  bool& fails = fails_[static_cast<std::size_t>(made_.call)];
+  if (std::exchange(fails, answer.fault.has_value()) != answer.fault.has_value())
+    events_.push_back({made_.call, answer.fault.value_or("")});
 }
 
 }  // namespace platon

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <condition_variable>
+#include <array>
+#include <chrono>
 #include <functional>
-#include <mutex>
-#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "protocol/work/worker.h"
 #include "server/fleet/agones_schedule.h"
 
 namespace platon {
@@ -20,22 +19,16 @@ struct AgonesEvent {
   friend bool operator==(const AgonesEvent&, const AgonesEvent&) = default;
 };
 
-/// Tells Agones about the server, from a thread of its own: the server never waits for it, except at its end.
+/// Tells Agones about the server. A thread makes the calls: the server never waits for it, except at its end. A tick
+/// loop that stalls reports nothing, so Agones hears nothing from it.
 class AgonesReporter {
  public:
   /// Makes a call, which takes a second at most.
   using Send = std::function<AgonesAnswer(AgonesCall call, const PlayerCount& count)>;
   using Clock = std::function<TimePoint()>;
 
-  /// Time between two looks at what is due.
-  static constexpr std::chrono::milliseconds kInterval{100};
-
-  /// `send` and `clock` are called by the thread.
+  /// `send` is called by the thread. The destructor waits for a call that is under way.
   AgonesReporter(Send send, Clock clock);
-  /// Waits for a call that is under way.
-  ~AgonesReporter();
-  AgonesReporter(const AgonesReporter&) = delete;
-  AgonesReporter& operator=(const AgonesReporter&) = delete;
 
   /// Call in every step of the tick loop.
   void report(bool playing, const PlayerCount& count);
@@ -45,20 +38,25 @@ class AgonesReporter {
   bool finish(std::chrono::milliseconds limit);
 
  private:
-  void run();
-  bool step(std::unique_lock<std::mutex>& lock);
-  void note(AgonesCall call, const std::optional<std::string>& fault);
+  // Time between two looks at what is due in `finish`.
+  static constexpr std::chrono::milliseconds kInterval{100};
 
-  const Send send_;
-  const Clock clock_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  FleetStatus status_;  // this and all below: under the mutex
+  struct Made {
+    AgonesCall call = AgonesCall::kReady;
+    FleetStatus status;
+  };
+
+  void step();
+  void take(const JobResult<AgonesAnswer>& answered);
+
+  Send send_;
+  Clock clock_;
+  FleetStatus status_;
   AgonesSchedule schedule_;
+  Made made_;  // the last call
   std::array<bool, kAgonesCalls> fails_{};
   std::vector<AgonesEvent> events_;
-  bool ended_ = false;  // this is being destroyed
-  std::thread thread_;  // last: uses the members above from its start
+  Worker<AgonesAnswer> calling_;
 };
 
 }  // namespace platon

@@ -5,16 +5,12 @@
 namespace platon {
 
 std::optional<AgonesCall> AgonesSchedule::due(const FleetStatus& status, TimePoint now) {
-  if (status.steps != steps_) {
-    steps_ = status.steps;
-    advancedAt_ = now;
-  }
   if (status.stopped) {
     const bool isDue = !shutDown() && mayRetry(AgonesCall::kShutdown, now);
     return isDue ? std::optional(AgonesCall::kShutdown) : std::nullopt;
   }
   if (!tried_) return AgonesCall::kReady;
-  if (now >= healthAt_ && now - advancedAt_ < kStallTime) return AgonesCall::kHealth;
+  if (now >= healthAt_) return AgonesCall::kHealth;
   if (const auto call = change(status, now)) return call;
   const bool counts = count_ != status.count || now >= countAt_;
   return told_ && counts && mayRetry(AgonesCall::kPlayers, now) ? std::optional(AgonesCall::kPlayers) : std::nullopt;

@@ -12,19 +12,16 @@ namespace platon {
 
 /// What the server tells about itself.
 struct FleetStatus {
-  std::uint64_t steps = 0;  ///< of the tick loop since the start
-  bool playing = false;     ///< somebody plays, or may resume
-  PlayerCount count;        ///< as the counter of Agones shows it
-  bool stopped = false;     ///< the server has stopped
+  bool playing = false;  ///< somebody plays, or may resume
+  PlayerCount count;     ///< as the counter of Agones shows it
+  bool stopped = false;  ///< the server has stopped
 };
 
-/// Decides which call is due. It has neither socket nor clock nor thread.
+/// Decides which call is due; asked in each step of the tick loop. It has neither socket nor clock nor thread.
 class AgonesSchedule {
  public:
   /// Between two pings, as the documentation of Agones shows it for `periodSeconds: 5`.
   static constexpr std::chrono::seconds kHealthInterval{2};
-  /// No pings are sent when the tick loop has not advanced for this long.
-  static constexpr std::chrono::seconds kStallTime{2};
   /// Pause after a call that failed; doubled after each further failure of this call, up to kMaxPause.
   static constexpr std::chrono::milliseconds kFirstPause{500};
   static constexpr std::chrono::seconds kMaxPause{8};
@@ -36,7 +33,7 @@ class AgonesSchedule {
   /// shown an allocation: until then somebody may be on the way.
   static constexpr std::chrono::seconds kEmptyTime = kCountInterval;
 
-  explicit AgonesSchedule(TimePoint now) : advancedAt_(now), healthAt_(now) {}
+  explicit AgonesSchedule(TimePoint now) : healthAt_(now) {}
 
   /// The call to make now; nothing if none is due. The first one is kReady.
   std::optional<AgonesCall> due(const FleetStatus& status, TimePoint now);
@@ -57,8 +54,6 @@ class AgonesSchedule {
   bool mayRetry(AgonesCall call, TimePoint now) const { return now >= retries_[index(call)].at; }
   static std::size_t index(AgonesCall call) { return static_cast<std::size_t>(call); }
 
-  std::uint64_t steps_ = 0;
-  TimePoint advancedAt_;                   // when the tick loop was seen to advance
   TimePoint emptySince_{};                 // when somebody was last seen to play, or an allocation was seen
   std::optional<std::string> allocation_;  // the last one that was seen; nothing while somebody plays
   bool mayReturn_ = false;                 // the last look was late enough and showed nothing new

@@ -46,7 +46,7 @@ BestTimeStore::BestTimeStore(Clock clock, const std::string& path, BestTimes tim
     : clock_(std::move(clock)),
       times_(std::move(times)),
       kept_(times_),
-      file_(std::make_unique<FileWriter>(path, FileWriter::startThread, addBestTimes)) {}
+      file_(std::make_unique<FileWriter>(path, startThread, addBestTimes)) {}
 
 std::optional<BestTime> BestTimeStore::best(std::uint64_t level) const {
   const DatedTime* best = times_.find({level, kRulesVersion});

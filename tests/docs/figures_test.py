@@ -222,7 +222,6 @@ FLEET = "deploy/agones/fleet.yaml"
 EMPTY = constant(SCHEDULE, "kEmptyTime")
 COUNT = constant(SCHEDULE, "kCountInterval")
 PING = constant(SCHEDULE, "kHealthInterval")
-STALL = constant(SCHEDULE, "kStallTime")
 RETRY = joined(constant(SCHEDULE, "kFirstPause", 0.001), constant(SCHEDULE, "kMaxPause"))
 BUFFER = "client/netcode/interpolation_buffer.h"
 
@@ -238,7 +237,7 @@ FIGURES = [
     Figures("docs/exactness.md", "bowl {}, {}, {}; waves {}, {}, {}; uphill {}, {}, {}; floor {}, {}, {}", trajectory),
     Figures("docs/exactness.md", "{} of {} are caught", mutations),
     Figures("docs/fleet.md", "when nobody has played for {} s, so that it may be removed", EMPTY),
-    Figures("docs/fleet.md", "every {} s, as long as the tick loop has advanced in the last {} s", joined(PING, STALL)),
+    Figures("docs/fleet.md", "every {} s, from the tick loop", PING),
     Figures("docs/fleet.md", "the number of players has changed, and every {} s", COUNT),
     Figures("docs/fleet.md", "A call takes at most {} s", constant(LINK, "kCallLimit", 0.001)),
     Figures("docs/fleet.md", "is made again after {} s, doubled up to {} s", RETRY),
@@ -247,7 +246,6 @@ FIGURES = [
     Figures("docs/fleet.md", "for at most {} s, which is more than a round takes", lambda sources: grace(sources)[:1]),
     Figures("docs/fleet.md", "and have {} s more to stop", lambda sources: grace(sources)[1:]),
     Figures("docs/fleet.md", "than a round takes ({} minutes)", constant("shared/include/platon/game/game.h", "kRoundTicks", 1 / 3600)),
-    Figures("docs/fleet.md", "tick loop stalls for {} s sends no pings", STALL),
     Figures("docs/fleet.md", "After three periods of {} s Agones replaces it", quoted(FLEET, r"periodSeconds: (\d+)\s+failureThreshold: 3\b")),
     Figures("docs/hosting.md", "again after {} s, doubled up to {} s; `health` every {} s", joined(RETRY, PING)),
     Figures("docs/hosting.md", "which waits at most {} s for it", constant(LINK, "kFinishLimit", 0.001)),

@@ -136,9 +136,9 @@ RECORDING_FAULTS = [
               "a forged recording has an instance that stays and touches keys from afar",
               "RecordedRun.AnInstanceThatComesFromNowhereIsRefused"),
     at_length("goal-waits-for-others", REPLAY + "run_keeper.cpp",
-              "  if (loading_.isPending()) takeBest(loading_.wait());\n",
-              "  if (loading_.isPending()) takeBest(loading_.wait());\n"
-              "  if (loadingOthers_.isPending()) takeOthers(loadingOthers_.wait());\n",
+              "    if (auto read = loading_.wait()) takeBest(std::move(*read));\n",
+              "    if (auto read = loading_.wait()) takeBest(std::move(*read));\n"
+              "    if (auto read = loadingOthers_.wait()) takeOthers(std::move(*read));\n",
               "the game stands still at the goal while the ghosts of others are played",
               "HeldRunKeeperTest.AGoalDoesNotWaitForTheGhostsOfOthers"),
     at_length("name-of-a-file-counts", REPLAY + "run_list.cpp",

@@ -135,6 +135,16 @@ def check_words(path, text, table):
             yield f"{path}:{source_text.line_of(code, match.start())}: '{word}' may not be used here"
 
 
+def check_threads(path, text, architecture):
+    """A class that has a worker is in the table of threads."""
+    if not path.endswith(".h") or path.startswith(("protocol/work/", "tests/")) or not re.search(r"\bWorker<\w", source_text.code_of(text)):
+        return
+    owner = "".join(part.capitalize() for part in Path(path).stem.split("_"))
+    table = architecture.partition("\n### Threads\n")[2].partition("\n## ")[0]
+    if f"`{owner}`" not in table:
+        yield f"{path}:1: {owner} has a worker, but no row in the table of threads in docs/architecture.md"
+
+
 def check_purity(path, text):
     code = source_text.code_of(text)
     for offset, word in source_text.words_of(code):
@@ -175,7 +185,8 @@ def check_text(path, text):
 
 def check_tree(root):
     """Yields every violation in the tree, except units without tests and tests that are not built."""
-    table = DependencyTable((root / "docs/architecture.md").read_text(encoding="utf-8"))
+    architecture = (root / "docs/architecture.md").read_text(encoding="utf-8")
+    table = DependencyTable(architecture)
     yield from check_top_level(root)
     for folder in table.folders():
         if not (root / folder).is_dir():
@@ -188,6 +199,7 @@ def check_tree(root):
             yield from check_test_namespace(path, text)
             yield from check_includes(path, text, table, root)
             yield from check_words(path, text, table)
+            yield from check_threads(path, text, architecture)
             if is_pure(path):
                 yield from check_purity(path, text)
 

@@ -16,6 +16,7 @@
 #include "protocol/limits.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
+#include "protocol/work/worker.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/identity_file.h"
 #include "server/app/level_files.h"
@@ -100,7 +101,7 @@ struct EmbeddedServer::Running {
           const std::shared_ptr<const PausableClock>& clock)
       : levelFiles(files), server(serverSettings(settings), load(files), silentLog()) {
     if (clock) server.setClock([clock] { return TimePoint(clock->now()); });
-    thread = std::thread([this] { server.run([this] { return shouldStop(); }); });
+    thread = startThread([this] { server.run([this] { return shouldStop(); }); });
   }
   ~Running() {
     stop = true;

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/client/job/held_threads.h"
-#include "tests/client/job/no_thread.h"
+#include "tests/protocol/work/held_threads.h"
+#include "tests/protocol/work/no_thread.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"

@@ -345,11 +345,11 @@ TEST_F(FrontPagesTest, AListThatIsRefusedLeavesTheOneBefore) {
 TEST_F(FrontPagesTest, AListThatIsStillReadHoldsUpNoPictureWhenAnotherIsEntered) {
   std::promise<void> open;
   int readings = 0;
-  const ThreadStart startHeld = [&, gate = open.get_future().share()](auto work) {
+  const ThreadStart startHeld = [&, gate = open.get_future().share()](std::function<void()> run) {
     ++readings;
-    return startThread([gate, work = std::move(work)](const std::stop_token& stop) {
+    return startThread([gate, run = std::move(run)] {
       gate.wait();
-      work(stop);
+      run();
     });
   };
   FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"),

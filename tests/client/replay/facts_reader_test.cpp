@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/client/job/no_thread.h"
+#include "tests/protocol/work/no_thread.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <functional>
-#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "client/ui/player_rows.h"
-#include "tests/client/job/held_threads.h"
-#include "tests/client/job/no_thread.h"
 #include "tests/client/replay/crowded_door_level.h"
 #include "tests/client/replay/replay_of.h"
+#include "tests/protocol/work/held_threads.h"
+#include "tests/protocol/work/no_thread.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -426,10 +425,10 @@ TEST_F(HeldRunKeeperTest, ALevelThatComesBackHasTheBestRunThatIsStillBeingWritte
 TEST_F(HeldRunKeeperTest, TheFileThatIsWrittenWhileTheLevelIsReadRemainsTheBest) {
   const std::uint32_t slow = keepSlowRun();
   bool waits = false;
-  std::vector<std::function<void(const std::stop_token&)>> works;
-  RunKeeper keeper(RunStore(folder_ / "runs"), {}, {}, [&](std::function<void(const std::stop_token&)> work) {
-    waits ? works.push_back(std::move(work)) : work({});
-    return std::jthread();
+  std::vector<std::function<void()>> works;
+  RunKeeper keeper(RunStore(folder_ / "runs"), {}, {}, [&](std::function<void()> run) {
+    waits ? works.push_back(std::move(run)) : run();
+    return std::thread();
   });
   Game game(edgeLevel());
   keeper.began(game, 0);
@@ -441,9 +440,9 @@ TEST_F(HeldRunKeeperTest, TheFileThatIsWrittenWhileTheLevelIsReadRemainsTheBest)
   keeper.began(Game(edgeLevel("1 100 -190")), 0);
   Game again(edgeLevel());
   keeper.began(again, 0);
-  ASSERT_EQ(works.size(), 4U) << "both levels are read";
-  works[3]({});
-  writeFile({});
+  ASSERT_EQ(works.size(), 3U) << "a level is read";
+  works[2]();
+  writeFile();
   EXPECT_FALSE(std::filesystem::exists(fileOf(slow)));
   EXPECT_TRUE(keeper.takeFaults().empty());
   EXPECT_EQ(keeper.bestFile(), fileOf(fast));

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/client/job/held_threads.h"
 #include "tests/client/replay/followed_game.h"
+#include "tests/protocol/work/held_threads.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "tests/protocol/work/no_thread.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
@@ -21,8 +21,11 @@ constexpr FileWriter::Time kNow{1h};
 /// Keeps tasks until they are run: a disk that does not answer yet.
 class KeptTasks {
  public:
-  FileWriter::Start start() {
-    return [this](std::function<void()> task) { tasks_.push_back(std::move(task)); };
+  ThreadStart start() {
+    return [this](std::function<void()> run) {
+      tasks_.push_back(std::move(run));
+      return std::thread();
+    };
   }
   /// Runs the kept tasks; returns their number.
   std::size_t run() {
@@ -52,7 +55,7 @@ TEST_F(FileWriterTest, WritesTheContent) {
 }
 
 TEST_F(FileWriterTest, WritesInAnotherWayIfOneIsGiven) {
-  FileWriter writer(path_, FileWriter::startThread, [](const std::string& path, std::string_view content) {
+  FileWriter writer(path_, startThread, [](const std::string& path, std::string_view content) {
     return replaceTextFile(path, readText(path) + std::string(content));
   });
   replaceTextFile(path_, "old ");
@@ -97,7 +100,7 @@ TEST_F(FileWriterTest, TriesAgainAfterAFailureAtABoundedRate) {
 }
 
 TEST_F(FileWriterTest, EveryFailureIsCountedAlsoThoseThatAreNotSaidAgain) {
-  FileWriter writer(folder_ / "sub/file", [](const std::function<void()>& task) { task(); });
+  FileWriter writer(folder_ / "sub/file", noThread);
   writer.write("one");
   for (int tries = 0; tries < 3; ++tries) {
     EXPECT_EQ(writer.failures(), static_cast<std::uint64_t>(tries));
@@ -156,7 +159,7 @@ TEST_F(FileWriterTest, TheDestructorDoesNotTryAgainAfterFinish) {
 }
 
 TEST_F(FileWriterTest, ANewContentIsTriedAtOnceAndItsFailureIsReported) {
-  FileWriter writer(folder_ / "sub/file", [](const std::function<void()>& task) { task(); });
+  FileWriter writer(folder_ / "sub/file", noThread);
   for (const char* content : {"one", "two"}) {
     writer.write(content);
     EXPECT_EQ(writer.poll(kNow), std::nullopt);
@@ -164,23 +167,15 @@ TEST_F(FileWriterTest, ANewContentIsTriedAtOnceAndItsFailureIsReported) {
   }
 }
 
-TEST_F(FileWriterTest, AThreadThatCannotStartIsAFaultOfTheWrite) {
-  bool full = true;
-  FileWriter writer(path_, [&full](const std::function<void()>& task) {
-    if (full) throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
-    task();
-  });
+TEST_F(FileWriterTest, WithoutAThreadPollWrites) {
+  FileWriter writer(path_, noThread);
   writer.write("one");
-  const auto fault = writer.poll(kNow);
-  ASSERT_TRUE(fault);
-  EXPECT_TRUE(fault->starts_with("cannot start a thread: ")) << *fault;
-  EXPECT_TRUE(writer.finish());
-  EXPECT_TRUE(writer.pending());
-  full = false;
-  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
-  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(writer.poll(kNow), std::nullopt);
   EXPECT_FALSE(writer.pending());
   EXPECT_EQ(readText(path_), "one");
+  writer.write("two");
+  EXPECT_EQ(writer.finish(), std::nullopt);
+  EXPECT_EQ(readText(path_), "two");
 }
 
 TEST_F(FileWriterTest, DoesNotWaitWithoutEndForAStuckDisk) {

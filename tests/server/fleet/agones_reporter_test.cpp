@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
+#include <mutex>
 
 #include "tests/support/wait_until.h"
 
@@ -28,20 +30,21 @@ class AgonesReporterTest : public testing::Test {
     return static_cast<std::size_t>(std::count(calls_.begin(), calls_.end(), call));
   }
 
-  // Moves the clock and waits until the thread has looked at it: until it has made at least this many calls of a kind.
+  // The tick loop goes on until the thread has made at least this many calls of a kind.
   bool reaches(Call call, std::size_t calls) {
-    return waitUntil([&] { return count(call) >= calls; });
+    return stepUntil([this] { report(); }, [&] { return count(call) >= calls; });
   }
 
-  void pass(std::chrono::milliseconds time) { now_ += time.count(); }
+  void report() { reporter_.report(players_ > 0, {players_, 16}); }
+  void pass(std::chrono::milliseconds time) { now_ += time; }
 
   std::mutex mutex_;
   std::vector<Call> calls_;
   std::atomic<bool> fails_{false};
   std::atomic<int> allocations_{0};
-  std::atomic<std::int64_t> now_{100'000};  // ms
-  AgonesReporter reporter_{[this](Call call, const PlayerCount&) { return send(call); },
-                           [this] { return TimePoint(std::chrono::milliseconds(now_)); }};
+  std::uint32_t players_ = 0;
+  TimePoint now_{100s};
+  AgonesReporter reporter_{[this](Call call, const PlayerCount&) { return send(call); }, [this] { return now_; }};
 };
 
 TEST_F(AgonesReporterTest, TellsThatTheServerIsReadyAndAlive) {
@@ -50,13 +53,30 @@ TEST_F(AgonesReporterTest, TellsThatTheServerIsReadyAndAlive) {
   EXPECT_EQ(calls_.front(), Call::kReady);
 }
 
+TEST_F(AgonesReporterTest, OneCallIsMadeAtATime) {
+  std::promise<void> open;
+  std::atomic<int> made = 0;
+  AgonesReporter reporter(
+      [&, gate = open.get_future().share()](Call, const PlayerCount&) {
+        ++made;
+        gate.wait();
+        return AgonesAnswer{};
+      },
+      [this] { return now_; });
+  EXPECT_TRUE(stepUntil([&] { reporter.report(true, {1, 16}); }, [&] { return made == 1; }));
+  for (int i = 0; i < 100; ++i) reporter.report(true, {1, 16});
+  reporter.finish(1ms);
+  open.set_value();
+  EXPECT_TRUE(reporter.finish(20s));
+  EXPECT_EQ(made, 2) << "the end is told next";
+}
+
 TEST_F(AgonesReporterTest, ATickLoopThatDoesNotReportGetsNoPings) {
   ASSERT_TRUE(reaches(Call::kPlayers, 1));
   const std::size_t before = count(Call::kHealth);
-  pass(60s);  // longer than AgonesSchedule::kCountInterval
-  ASSERT_TRUE(reaches(Call::kPlayers, 2)) << "the thread goes on";
+  pass(60s);
+  reporter_.takeEvents();
   EXPECT_EQ(count(Call::kHealth), before);
-  reporter_.report(false, {0, 16});
   EXPECT_TRUE(reaches(Call::kHealth, before + 1));
 }
 
@@ -64,17 +84,17 @@ TEST_F(AgonesReporterTest, AFailureIsToldOnceAndSoIsItsEnd) {
   ASSERT_TRUE(reaches(Call::kPlayers, 1));
   EXPECT_TRUE(reporter_.takeEvents().empty());
   fails_ = true;
-  reporter_.report(true, {1, 16});
+  players_ = 1;
   for (std::size_t failures = 1; failures <= 4; ++failures) {
     ASSERT_TRUE(reaches(Call::kAllocate, failures));
     pass(10s);
   }
   fails_ = false;
-  reporter_.report(true, {1, 16});
   std::vector<AgonesEvent> events;
   const auto count = [&](const AgonesEvent& event) { return std::count(events.begin(), events.end(), event); };
   ASSERT_TRUE(waitUntil([&] {
     pass(1s);
+    report();
     for (const AgonesEvent& event : reporter_.takeEvents()) events.push_back(event);
     return count({Call::kAllocate, ""}) == 1;
   }));
@@ -82,13 +102,14 @@ TEST_F(AgonesReporterTest, AFailureIsToldOnceAndSoIsItsEnd) {
 }
 
 TEST_F(AgonesReporterTest, AnAllocationOfAnEmptyServerIsNotUndone) {
-  reporter_.report(true, {1, 16});
+  players_ = 1;
   ASSERT_TRUE(reaches(Call::kAllocate, 1));
-  reporter_.report(false, {0, 16});
+  players_ = 0;
   ASSERT_TRUE(reaches(Call::kGameServer, 1));
   allocations_ = 1;
   ASSERT_TRUE(waitUntil([&] {
     pass(1s);
+    report();
     return count(Call::kReady) == 2;
   }));
   EXPECT_EQ(count(Call::kGameServer), 3u) << "the second look has found it, and the third one nothing new";

@@ -1,4 +1,4 @@
-#include "protocol/files/blocked_signals.h"
+#include "protocol/work/blocked_signals.h"
 
 namespace platon {
 
