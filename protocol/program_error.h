@@ -9,9 +9,10 @@ namespace platon {
 /// invalid level: then it has one line per error found.
 class ProgramError : public std::runtime_error {
  public:
-  static constexpr int kFailed = 1;
-  static constexpr int kUsage = 2;  ///< usage or configuration
-  static constexpr int kLevel = 3;  ///< a level is invalid
+  // Exit codes of all programs.
+  static constexpr int kFailed = 1;   ///< failed, or a check did not hold
+  static constexpr int kUsage = 2;    ///< usage or configuration, also a file that cannot be read
+  static constexpr int kInvalid = 3;  ///< a level, a recording or a scene is invalid
 
   ProgramError(int exitCode, const std::string& what) : std::runtime_error(what), exitCode_(exitCode) {}
 

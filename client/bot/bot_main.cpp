@@ -17,8 +17,6 @@ namespace platon {
 
 namespace {
 
-constexpr int kFailed = 1;
-
 struct Options {
   std::string host;
   std::string passwordFile;
@@ -59,7 +57,7 @@ int play(const Options& options) {
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
   const auto failed = std::find_if(results.begin(), results.end(), [](const BotResult& bot) { return bot.ending; });
   if (failed != results.end()) std::fprintf(stderr, "platon-bot: %s\n", failed->ending->c_str());
-  return report.failed == 0 ? 0 : kFailed;
+  return report.failed == 0 ? 0 : ProgramError::kFailed;
 }
 
 int run(int argc, char** argv) {
@@ -86,6 +84,6 @@ int main(int argc, char** argv) {
     return platon::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "platon-bot: %s\n", error.what());
-    return platon::kFailed;
+    return platon::ProgramError::kFailed;
   }
 }

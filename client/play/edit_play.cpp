@@ -33,7 +33,7 @@ EditedLevel levelOf(EditFile& file, SolidKind solid) {
   std::string messages;
   for (const Diagnostic& diagnostic : level.document().diagnostics())
     messages += (messages.empty() ? "" : "\n") + format(file.path().string(), diagnostic);
-  throw ProgramError(ProgramError::kLevel, messages);
+  throw ProgramError(ProgramError::kInvalid, messages);
 }
 
 std::unique_ptr<Window> openEditWindow(bool offscreen) {

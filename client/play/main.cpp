@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   try {
     return platon::play(argc, argv);
   } catch (const ProgramError& error) {
-    const bool level = error.exitCode() == ProgramError::kLevel;
+    const bool level = error.exitCode() == ProgramError::kInvalid;
     return platon::fail(error.exitCode(), level ? "" : "platon-client: ", error.what());
   } catch (const std::exception& error) {
     return platon::fail(ProgramError::kFailed, "platon-client: ", error.what());

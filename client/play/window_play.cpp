@@ -34,7 +34,7 @@ std::filesystem::path recentServersFile() {
 }
 
 std::string titleOf(const ProgramError& error, const MatchChoice& choice) {
-  if (error.exitCode() == ProgramError::kLevel) return "The level is invalid";
+  if (error.exitCode() == ProgramError::kInvalid) return "The level is invalid";
   return choice.server ? "The server cannot be joined" : "The game cannot be started";
 }
 
@@ -249,7 +249,7 @@ void WindowPlay::leaveReplay(const std::filesystem::path& file) {
 }
 
 void WindowPlay::failReplay() {
-  const ProgramError error(ProgramError::kLevel, replay_->fault());
+  const ProgramError error(ProgramError::kInvalid, replay_->fault());
   const std::filesystem::path file = replay_->file();
   if (named_) failure_ = error;
   if (named_ && options_.seconds) throw ProgramError(error);

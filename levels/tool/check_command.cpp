@@ -10,6 +10,7 @@
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
 #include "platon/game/level.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -85,9 +86,9 @@ int checkLevels(const std::vector<std::string>& files, bool json) {
     if (!json) std::puts(resultLine(all.back()).c_str());
   }
   if (json) printJson(all);
-  if (unreadable) return kUsage;
+  if (unreadable) return ProgramError::kUsage;
   const bool valid = std::all_of(all.begin(), all.end(), [](const auto& one) { return one.result.level != nullptr; });
-  return valid ? 0 : kInvalidLevel;
+  return valid ? 0 : ProgramError::kInvalid;
 }
 
 }  // namespace platon

@@ -5,7 +5,6 @@
 
 #include "levels/picture/level_picture.h"
 #include "levels/tool/check_command.h"
-#include "levels/tool/level_file.h"
 #include "levels/tool/preview_command.h"
 #include "levels/tool/solve_command.h"
 #include "protocol/program_error.h"
@@ -94,6 +93,6 @@ int main(int argc, char** argv) {
     return error.exitCode();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "platon-level: %s\n", error.what());
-    return platon::kFailed;
+    return platon::ProgramError::kFailed;
   }
 }

@@ -13,6 +13,7 @@
 #include "levels/solve/recorded_way.h"
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -65,7 +66,7 @@ int search(const std::shared_ptr<const Level>& level, const SolveOptions& option
   if (!solution) {
     if (options.json) std::printf("{\"solved\":false,\"states\":%zu}\n", solver.states());
     std::fprintf(stderr, "platon-level: no way to the goal found after %zu states\n", solver.states());
-    return kFailed;
+    return ProgramError::kFailed;
   }
   const SolutionFacts facts = factsOf(level, *solution).value();
   if (options.json) {
@@ -75,7 +76,7 @@ int search(const std::shared_ptr<const Level>& level, const SolveOptions& option
     printFacts(*level, facts);
     std::printf(" (%zu states searched)\n", solver.states());
   }
-  return options.recording.empty() || write(options.recording, recordWay(level, *solution)) ? 0 : kFailed;
+  return options.recording.empty() || write(options.recording, recordWay(level, *solution)) ? 0 : ProgramError::kFailed;
 }
 
 // Tells about a recorded way, if it is one of this level.
@@ -84,13 +85,13 @@ int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options)
   const auto content = readInputFile(options.recorded, kMaxWayBytes, fault);
   if (!content) {
     std::fprintf(stderr, "platon-level: %s\n", fault.c_str());
-    return kUsage;
+    return ProgramError::kUsage;
   }
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(content->data());
   const RecordedWay way = readRecordedWay({bytes, content->size()});
   if (!way.fault.empty()) {
     std::fprintf(stderr, "%s: error: %s\n", options.recorded.c_str(), way.fault.c_str());
-    return kInvalidLevel;
+    return ProgramError::kInvalid;
   }
   const bool isOfLevel =
       way.level->hash == level->hash && !way.inputs.empty() && way.inputs.front().size() >= level->players;
@@ -98,7 +99,7 @@ int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options)
   if (!facts) {
     std::fprintf(stderr, "platon-level: '%s' is no way to the goal of '%s' as it is now; record a new one with -o\n",
                  options.recorded.c_str(), options.file.c_str());
-    return kFailed;
+    return ProgramError::kFailed;
   }
   options.json ? printFactsJson(*level, *facts) : printFacts(*level, *facts);
   std::printf(options.json ? "}\n" : "\n");
@@ -160,20 +161,20 @@ int prove(const std::shared_ptr<const Level>& level, const SolveOptions& options
   if (!way) {
     std::fprintf(stderr, "platon-level: not proved that %s: no other way was found, but there may be one\n",
                  claimText(options).c_str());
-    return kFailed;
+    return ProgramError::kFailed;
   }
   std::fprintf(stderr, "platon-level: a way was found%s: it has %u crossings\n",
                options.without ? (" without " + excludedText(options)).c_str() : "", factsOf(level, *way)->crossings);
   if (!options.recording.empty()) write(options.recording, recordWay(level, *way));
-  return kFailed;
+  return ProgramError::kFailed;
 }
 
 }  // namespace
 
 int solveLevel(const SolveOptions& options) {
   const std::optional<LevelResult> result = loadLevelFile(options.file);
-  if (!result) return kUsage;
-  if (!result->level) return kInvalidLevel;
+  if (!result) return ProgramError::kUsage;
+  if (!result->level) return ProgramError::kInvalid;
   if (!options.recorded.empty()) return tell(result->level, options);
   return options.withoutCrossing || options.without ? prove(result->level, options) : search(result->level, options);
 }

@@ -65,7 +65,7 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
     valid = valid && result.level;
     loaded.levels.push_back(result.level);
   }
-  if (!valid) throw ProgramError(ProgramError::kLevel, joined(loaded.warnings));
+  if (!valid) throw ProgramError(ProgramError::kInvalid, joined(loaded.warnings));
   return loaded;
 }
 

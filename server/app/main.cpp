@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
   try {
     return platon::runTask(argc, argv);
   } catch (const ProgramError& error) {
-    const bool level = error.exitCode() == ProgramError::kLevel;
+    const bool level = error.exitCode() == ProgramError::kInvalid;
     return platon::fail(error.exitCode(), level ? "" : "platon-server: ", error.what());
   } catch (const std::exception& error) {
     return platon::fail(ProgramError::kFailed, "platon-server: ", error.what());

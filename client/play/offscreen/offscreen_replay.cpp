@@ -20,7 +20,7 @@ ReplayPlay readToPlay(const std::string& file, const Clock& clock, const std::fu
   for (;; clock.sleepUntil(clock.now() + kPollInterval)) {
     if (stopRequested()) throw ProgramError(ProgramError::kFailed, file + ": " + Replay::kStopped);
     replay.advance(0);
-    if (!replay.fault().empty()) throw ProgramError(ProgramError::kLevel, replay.fault());
+    if (!replay.fault().empty()) throw ProgramError(ProgramError::kInvalid, replay.fault());
     if (replay.viewer() != nullptr) return replay;
     if (clock.now() - toldAt < kToldInterval) continue;
     toldAt = clock.now();

@@ -167,7 +167,7 @@ TEST_F(EditPlayTest, AnInvalidLevelIsRefusedWithItsErrors) {
     const EditPlay play(options_, steadyClock());
     ADD_FAILURE() << "accepted";
   } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
     EXPECT_NE(std::string(error.what()).find("02_new_room.level:1:1: error: unknown solid"), std::string::npos);
   }
 }

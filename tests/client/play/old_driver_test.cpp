@@ -53,7 +53,7 @@ TEST(OldDriver, OffScreenARecordingIsReadBefore) {
     const OffscreenReplay replay(options, Settings(), steadyClock(), [] { return false; });
     FAIL() << "read";
   } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
   }
   options.replay = "tests/determinism/golden/hexahedron.recording";
   EXPECT_EQ(reasonOf([&] { const OffscreenReplay replay(options, Settings(), steadyClock(), [] { return false; }); }),

@@ -129,7 +129,7 @@ TEST_F(WindowPlayTest, AnInvalidLevelIsReportedOnTheScreen) {
     play({{[] {}, [this] { return play_->menu().isOpen() && play_->match() == nullptr; }}});
     FAIL();
   } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
   }
 }
 
@@ -350,7 +350,7 @@ TEST_F(WindowPlayTest, ARecordingOfTheCommandLineThatCannotBePlayedIsReportedAls
     play({{[] {}, [this] { return shows("Try again"); }}});
     FAIL();
   } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
   }
 }
 

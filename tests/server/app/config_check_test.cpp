@@ -70,7 +70,7 @@ TEST_F(ConfigCheckTest, ReportsEveryErrorOfEveryFile) {
 
 TEST_F(ConfigCheckTest, OnlyInvalidLevelsGiveTheExitCodeOfLevels) {
   write("bad.level", "CUBE\n");
-  EXPECT_EQ(check("levels = [\"bad.level\"]\n").exitCode, ProgramError::kLevel);
+  EXPECT_EQ(check("levels = [\"bad.level\"]\n").exitCode, ProgramError::kInvalid);
   EXPECT_EQ(check("levels = [\"bad.level\", \"missing.level\"]\n").exitCode, ProgramError::kUsage);
   EXPECT_EQ(check("levels = [\"missing.level\", \"bad.level\"]\n").exitCode, ProgramError::kUsage);
   EXPECT_EQ(check("levels = [\"bad.level\"]\nport = -1\n").exitCode, ProgramError::kUsage);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "platon/game/game.h"
+#include "protocol/program_error.h"
 
 namespace platon::sim {
 
@@ -30,7 +31,7 @@ struct VerifySummary {
   /// Recordings that a thread replays in an hour.
   double recordingsPerHour() const { return static_cast<double>(recordings) * 3600 / (seconds * jobs); }
   /// 1 if a recording differs, else 3 if one is invalid, else 0.
-  int exitCode() const { return differ != 0 ? 1 : invalid != 0 ? 3 : 0; }
+  int exitCode() const { return differ != 0 ? ProgramError::kFailed : invalid != 0 ? ProgramError::kInvalid : 0; }
 };
 
 bool isFolder(const std::string& path);

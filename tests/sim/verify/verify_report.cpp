@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "levels/tool/json_text.h"
+#include "protocol/program_error.h"
 #include "tests/sim/hex_digits.h"
 
 namespace platon::sim {
@@ -46,7 +47,7 @@ std::string textOf(const std::variant<RunFinish, std::string>& run) {
 }
 
 VerifyReport reportOf(const std::string& path, const Verification& found) {
-  VerifyReport report{{}, found.divergence ? 1 : found.fault.empty() ? 0 : 3};
+  VerifyReport report{{}, found.divergence ? ProgramError::kFailed : found.fault.empty() ? 0 : ProgramError::kInvalid};
   if (found.divergence) report.text += path + ": " + sentenceOf(*found.divergence) + "\n";
   if (found.fault.empty()) return report;
   const bool agreed = !found.divergence && found.ticks != 0;

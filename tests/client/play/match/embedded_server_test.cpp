@@ -69,7 +69,7 @@ TEST(EmbeddedServer, AnInvalidLevelIsALevelError) {
   const std::string file = folder / "invalid.level";
   writeText(file, "CUBE\n");
   const auto [exitCode, message] = errorOf(file);
-  EXPECT_EQ(exitCode, ProgramError::kLevel);
+  EXPECT_EQ(exitCode, ProgramError::kInvalid);
   EXPECT_EQ(message.find(file + ":1:1: error: "), 0U) << message;
 }
 

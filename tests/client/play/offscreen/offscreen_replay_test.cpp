@@ -46,7 +46,7 @@ TEST_F(OffscreenReplayTest, WhatCannotBePlayedIsRefused) {
     const OffscreenReplay replay(options_, Settings(), steadyClock(), [] { return false; });
     ADD_FAILURE() << "accepted";
   } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
     EXPECT_EQ(std::string(error.what()),
               options_.replay + ": cannot be played: byte 0: not a recording, or an unsupported version");
   }
