@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <string_view>
 
 #include "client/quality/quality_meter.h"
+#include "protocol/json_text.h"
 
 namespace platon {
 namespace {
@@ -16,16 +16,6 @@ std::string line(const char* format, const FrameCost& cost) {
   std::snprintf(text.data(), text.size(), format, name.c_str(), cost.p50Ms, cost.p99Ms, cost.allCpuMs, cost.ownCpuMs,
                 cost.drawCalls);
   return text.data();
-}
-
-// With its quotes. A control character becomes a space.
-std::string jsonOf(std::string_view name) {
-  std::string json = "\"";
-  for (const char byte : name) {
-    if (byte == '"' || byte == '\\') json += '\\';
-    json += static_cast<unsigned char>(byte) < 0x20 ? ' ' : byte;
-  }
-  return json + '"';
 }
 
 }  // namespace
@@ -42,8 +32,8 @@ std::string toJson(const BenchmarkReport& report) {
     if (!rows.empty()) rows += ",";
     rows += line(R"({"quality":"%s","p50Ms":%.3f,"p99Ms":%.3f,"allCpuMs":%.3f,"ownCpuMs":%.3f,"drawCalls":%u})", cost);
   }
-  return R"({"driver":)" + jsonOf(report.driver) + R"(,"default":")" + std::string(namedQuality(report.chosen()).name) +
-         R"(","frames":[)" + rows + "]}\n";
+  return R"({"driver":)" + jsonText(report.driver) + R"(,"default":")" +
+         std::string(namedQuality(report.chosen()).name) + R"(","frames":[)" + rows + "]}\n";
 }
 
 std::string toText(const BenchmarkReport& report) {

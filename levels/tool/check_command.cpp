@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "levels/check/level_warnings.h"
-#include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
 #include "platon/game/level.h"
+#include "protocol/json_text.h"
 #include "protocol/program_error.h"
 
 namespace platon {

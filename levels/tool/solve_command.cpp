@@ -11,8 +11,8 @@
 #include "levels/reach/reach.h"
 #include "levels/solve/level_solver.h"
 #include "levels/solve/recorded_way.h"
-#include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
+#include "protocol/json_text.h"
 #include "protocol/program_error.h"
 
 namespace platon {

@@ -6,22 +6,10 @@
 
 #include <chrono>
 
+#include "protocol/json_text.h"
+
 namespace platon {
 namespace {
-
-// Escapes quotes, backslashes and control characters, as JSON requires.
-std::string jsonText(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') out += '\\';
-    if (code < 0x20)
-      out += fmt::format("\\u{:04x}", code);
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 std::string valueOf(const LogField& field) {
   if (const auto* number = std::get_if<std::uint64_t>(&field.value)) return std::to_string(*number);

@@ -31,7 +31,8 @@ std::string_view pathOf(AgonesCall call) {
 // Numbers of 64 bits are texts in the JSON of protocol buffers.
 std::string bodyOf(AgonesCall call, const PlayerCount& count) {
   if (call != AgonesCall::kPlayers) return "{}";
-  return R"({"count":")" + std::to_string(count.players) + R"(","capacity":")" + std::to_string(count.limit) + "\"}";
+  return nlohmann::ordered_json{{"count", std::to_string(count.players)}, {"capacity", std::to_string(count.limit)}}
+      .dump();
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(BenchmarkReport, TheJsonHasARowForEachQuality) {
 TEST(BenchmarkReport, TheJsonEscapesTheDriver) {
   BenchmarkReport named = report();
   named.driver = "a \"driver\" \\\n2";
-  const std::string start = R"({"driver":"a \"driver\" \\ 2","default":)";
+  const std::string start = R"({"driver":"a \"driver\" \\\u000a2","default":)";
   EXPECT_EQ(toJson(named).substr(0, start.size()), start);
 }
 

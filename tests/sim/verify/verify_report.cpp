@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "levels/tool/json_text.h"
+#include "protocol/json_text.h"
 #include "protocol/program_error.h"
 #include "tests/sim/hex_digits.h"
 

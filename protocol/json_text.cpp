@@ -1,4 +1,4 @@
-#include "levels/tool/json_text.h"
+#include "protocol/json_text.h"
 
 #include <cstdint>
 
