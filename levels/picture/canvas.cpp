@@ -2,7 +2,6 @@
 
 #include <cairo.h>
 
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -35,6 +34,12 @@ void addGlyph(cairo_t* context, const std::vector<Typeface::OutlineStep>& outlin
         break;
     }
   }
+}
+
+// Called by Cairo with bytes of a PNG file.
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
 }
 
 }  // namespace
@@ -132,14 +137,12 @@ std::vector<std::uint32_t> Canvas::pixels() const {
   return pixels;
 }
 
-std::string Canvas::write(const std::string& file) const {
-  if (const auto status = cairo_status(context_.get()); status != CAIRO_STATUS_SUCCESS) {
-    return cairo_status_to_string(status);
-  }
-  errno = 0;
-  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), file.c_str());
-  if (status == CAIRO_STATUS_SUCCESS) return "";
-  return status == CAIRO_STATUS_WRITE_ERROR && errno != 0 ? std::strerror(errno) : cairo_status_to_string(status);
+std::string Canvas::png() const {
+  std::string bytes;
+  cairo_status_t status = cairo_status(context_.get());
+  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes);
+  if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
+  return bytes;
 }
 
 }  // namespace platon

@@ -71,8 +71,8 @@ class Canvas {
   /// The pixels as 0x00RRGGBB, rows from the top.
   std::vector<std::uint32_t> pixels() const;
 
-  /// Writes a PNG file. Returns why that failed, or an empty text.
-  std::string write(const std::string& file) const;
+  /// The bytes of a PNG file. Throws std::runtime_error if the picture could not be drawn.
+  std::string png() const;
 
  private:
   struct Release {

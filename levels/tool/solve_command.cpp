@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "levels/solve/level_solver.h"
 #include "levels/solve/recorded_way.h"
 #include "levels/tool/level_file.h"
+#include "protocol/files/text_file.h"
 #include "protocol/json_text.h"
 #include "protocol/program_error.h"
 
@@ -22,11 +22,9 @@ namespace {
 constexpr std::size_t kMaxWayBytes = std::size_t{1} << 26;
 
 bool write(const std::string& file, const std::vector<std::uint8_t>& bytes) {
-  std::ofstream out(file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) std::fprintf(stderr, "platon-level: cannot write '%s'\n", file.c_str());
-  return !out.fail();
+  const std::string fault = replaceOutputFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!fault.empty()) std::fprintf(stderr, "platon-level: cannot write '%s': %s\n", file.c_str(), fault.c_str());
+  return fault.empty();
 }
 
 // "key 1, plate 2": the elements that the solution uses.

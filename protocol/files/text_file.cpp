@@ -40,26 +40,43 @@ std::string temporaryBeside(const std::string& target) {
   return target.substr(0, target.rfind('/') + 1 + kMaxBytes) + ".XXXXXX";
 }
 
-enum class Wait { kForDisk, kNot };
-
-std::string replaceFile(const std::string& path, std::string_view content, Wait wait, mode_t rights = kOwnRights) {
-  std::error_code missing;
-  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
-  const std::string target = missing ? path : linked.string();
-  if (std::string fault = faultOfKind(target); !fault.empty()) return fault;
-  std::string temporary = temporaryBeside(target);
-  const Descriptor file(mkstemp(temporary.data()));
-  if (!file) return std::strerror(errno);
-  const bool waits = wait == Wait::kForDisk;
-  const bool replaced = writeAll(file, content) && takeRights(file, target, rights) &&
-                        (!waits || fsync(file.number()) == 0) && std::rename(temporary.c_str(), target.c_str()) == 0;
-  const int fault = errno;
-  if (replaced) return !waits || syncFolder(target) ? std::string() : std::strerror(errno);
-  unlink(temporary.c_str());
-  return std::strerror(fault);
+std::string replaceFile(const std::string& path, std::string_view content, FileReplacement::Wait wait,
+                        FileReplacement::Readers readers) {
+  FileReplacement replacement(path);
+  replacement.write(content);
+  return replacement.finish(wait, readers);
 }
 
 }  // namespace
+
+FileReplacement::FileReplacement(const std::string& path) {
+  std::error_code missing;
+  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
+  target_ = missing ? path : linked.string();
+  fault_ = faultOfKind(target_);
+  if (!fault_.empty()) return;
+  temporary_ = temporaryBeside(target_);
+  file_ = Descriptor(mkstemp(temporary_.data()));
+  if (!file_) fault_ = std::strerror(errno);
+}
+
+FileReplacement::~FileReplacement() {
+  if (file_) unlink(temporary_.c_str());
+}
+
+void FileReplacement::write(std::string_view content) {
+  if (fault_.empty() && !writeAll(file_, content)) fault_ = std::strerror(errno);
+}
+
+std::string FileReplacement::finish(Wait wait, Readers readers) {
+  if (!fault_.empty()) return fault_;
+  const bool waits = wait == Wait::kForDisk;
+  const bool replaced = takeRights(file_, target_, readers == Readers::kAll ? kPublicRights : kOwnRights) &&
+                        (!waits || fsync(file_.number()) == 0) && std::rename(temporary_.c_str(), target_.c_str()) == 0;
+  if (!replaced) return fault_ = std::strerror(errno);
+  file_ = Descriptor();
+  return !waits || syncFolder(target_) ? std::string() : std::strerror(errno);
+}
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
@@ -79,19 +96,19 @@ std::variant<std::string, ParseError> readTextFile(const std::string& path, std:
 }
 
 std::string replaceTextFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, Wait::kForDisk);
+  return replaceFile(path, content, FileReplacement::Wait::kForDisk, FileReplacement::Readers::kOwner);
 }
 
 std::string replacePublicFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, Wait::kForDisk, kPublicRights);
+  return replaceFile(path, content, FileReplacement::Wait::kForDisk, FileReplacement::Readers::kAll);
 }
 
 std::string replaceCachedFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, Wait::kNot);
+  return replaceFile(path, content, FileReplacement::Wait::kNot, FileReplacement::Readers::kOwner);
 }
 
 std::string replaceOutputFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, Wait::kNot, kPublicRights);
+  return replaceFile(path, content, FileReplacement::Wait::kNot, FileReplacement::Readers::kAll);
 }
 
 }  // namespace platon

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "protocol/files/descriptor.h"
 #include "protocol/files/parse_error.h"
 #include "protocol/files/regular_file.h"
 
@@ -15,6 +17,32 @@ namespace platon {
 /// it cannot be opened, or the reason of the system.
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes,
                                                    Pipes pipes = Pipes::kRefuse);
+
+/// A new content of a file, written in pieces beside it. `finish` replaces the file; without it the file stays as it
+/// was, and nothing is left. Replaces no named pipe and no device, and keeps a symbolic link.
+class FileReplacement {
+ public:
+  enum class Wait : std::uint8_t { kForDisk, kNot };
+  enum class Readers : std::uint8_t { kOwner, kAll };
+
+  /// The reason of a failure is in `fault`, and all below do nothing then.
+  explicit FileReplacement(const std::string& path);
+  ~FileReplacement();
+  FileReplacement(const FileReplacement&) = delete;
+  FileReplacement& operator=(const FileReplacement&) = delete;
+
+  void write(std::string_view content);
+  /// Puts the content in the place of the file, which keeps its access rights. A new one can be read by its owner, or
+  /// by everybody whatever the umask. Returns why that failed, or an empty text.
+  std::string finish(Wait wait = Wait::kNot, Readers readers = Readers::kAll);
+  const std::string& fault() const { return fault_; }
+
+ private:
+  std::string target_;
+  std::string temporary_;
+  Descriptor file_;  // none: finished, or failed
+  std::string fault_;
+};
 
 /// Replaces the content of a file: at any time the file holds all of the old content or all of the new one, also after
 /// a power failure. Keeps the access rights of the file, and a symbolic link to it; only its owner may read a new file.

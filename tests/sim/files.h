@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "protocol/files/text_file.h"
 
 namespace platon::sim {
 
@@ -18,26 +21,28 @@ std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t maxByte
 class OutputFile {
  public:
   enum class Mode {
-    kReplace,    ///< replaces an existing file
+    kReplace,    ///< replaces an existing file when it is closed, and no pipe and no device
+    kInPlace,    ///< writes into an existing file, pipe or device, from which another program may read meanwhile
     kCreateNew,  ///< refuses an existing file
   };
 
-  explicit OutputFile(const std::string& path, Mode mode = Mode::kReplace);
+  OutputFile(const std::string& path, Mode mode);
 
   void write(std::string_view text) { write(text.data(), text.size()); }
   void write(std::span<const std::uint8_t> bytes) { write(bytes.data(), bytes.size()); }
-  /// Flushes the file; must be called after the last write.
+  /// Ends the file; must be called after the last write.
   void close();
 
  private:
   void write(const void* bytes, std::size_t count);
-  [[noreturn]] void fail() const;
+  [[noreturn]] void fail(const std::string& reason) const;
 
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
   std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::optional<FileReplacement> replacement_;  // of kReplace
+  std::unique_ptr<std::FILE, Close> file_;      // of the others
 };
 
 }  // namespace platon::sim

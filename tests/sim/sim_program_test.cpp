@@ -2,6 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "tests/sim/command_testing.h"
 
 namespace platon::sim::sim_program_test {
@@ -41,9 +45,20 @@ TEST(SimProgramTest, InvalidInputFilesExitWith3) {
 }
 
 TEST(SimProgramTest, AFailedWriteExitsWith3) {
-  const ProcessResult result = runProgram("run --ticks 60 --record /dev/full " + levelFile());
+  const ProcessResult result = runProgram("run --ticks 60 --trace /dev/full " + levelFile());
   EXPECT_EQ(result.exitCode, 3);
   EXPECT_EQ(result.errors, "cannot write to '/dev/full': No space left on device\n");
+}
+
+TEST(SimProgramTest, WhoReadsTheOldRecordingNeverSeesAPartOfTheNewOne) {
+  const std::string file = fileWith("recording", "old");
+  std::ifstream reader(file, std::ios::binary);
+  EXPECT_EQ(runProgram("run --ticks 60 --record " + file + " " + levelFile()).exitCode, 0);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
+  EXPECT_EQ(runProgram("verify " + file).exitCode, 0);
+  const ProcessResult device = runProgram("run --ticks 60 --record /dev/full " + levelFile());
+  EXPECT_EQ(device.exitCode, 2);
+  EXPECT_THAT(device.errors, HasSubstr("cannot write '/dev/full': it is a device, not a regular file"));
 }
 
 TEST(SimProgramTest, ARunExitsWith0) { EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).exitCode, 0); }

@@ -23,7 +23,7 @@ namespace platon::sim {
 class TraceWriter : public StepObserver {
  public:
   /// Throws UsageError when `path` cannot be written.
-  explicit TraceWriter(const std::string& path) : file_(path) {}
+  explicit TraceWriter(const std::string& path) : file_(path, OutputFile::Mode::kInPlace) {}
 
   /// Writes the header line. `level` is null for a scene.
   void header(const World& world, const Convex& shape, const Level* level);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -47,7 +49,6 @@ class PreviewCommandTest : public testing::Test {
     return {number(16), number(20)};
   }
 
- private:
   const TemporaryFolder folder_;
 };
 
@@ -86,9 +87,18 @@ TEST_F(PreviewCommandTest, AnUnwritablePictureIsAnError) {
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_EQ(result.errors, "platon-level: cannot write 'nowhere/picture.png': No such file or directory\n");
   EXPECT_EQ(run("preview valid.txt -o .").errors, "platon-level: cannot write '.': Is a directory\n");
-  const ProcessResult full = run("preview valid.txt -o /dev/full");
-  EXPECT_EQ(full.exitCode, 1);
-  EXPECT_EQ(full.errors, "platon-level: cannot write '/dev/full': No space left on device\n");
+  const ProcessResult device = run("preview valid.txt -o /dev/full");
+  EXPECT_EQ(device.exitCode, 1);
+  EXPECT_EQ(device.errors, "platon-level: cannot write '/dev/full': it is a device, not a regular file\n");
+}
+
+TEST_F(PreviewCommandTest, WhoReadsTheOldPictureNeverSeesAPartOfTheNewOne) {
+  ASSERT_EQ(run("preview valid.txt -o picture.png --width 320").exitCode, 0);
+  const std::string old = readText(folder_ / "picture.png");
+  std::ifstream reader(folder_ / "picture.png", std::ios::binary);
+  ASSERT_EQ(run("preview valid.txt -o picture.png --width 640").exitCode, 0);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), old);
+  EXPECT_EQ(sizeOf("picture.png"), (std::vector<int>{640, 400}));
 }
 
 TEST_F(PreviewCommandTest, InvalidArgumentsAreUsageErrors) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/sim/verify/verification.h"
@@ -136,7 +138,17 @@ TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
   EXPECT_EQ(run("").errors, "platon-level: solve: FILE is missing (see platon-level --help)\n");
   EXPECT_EQ(run("crossing.level --without key 32").exitCode, 2);
   EXPECT_EQ(run("crossing.level --without key 1 2").exitCode, 2);
-  EXPECT_EQ(run("crossing.level -o missing/way.recording").exitCode, 1);
+  const ProcessResult unwritten = run("crossing.level -o missing/way.recording");
+  EXPECT_EQ(unwritten.exitCode, 1);
+  EXPECT_EQ(unwritten.errors, "platon-level: cannot write 'missing/way.recording': No such file or directory\n");
+}
+
+TEST_F(SolveCommandTest, WhoReadsTheOldRecordingNeverSeesAPartOfTheNewOne) {
+  writeText(folder_ / "way.recording", "old");
+  std::ifstream reader(folder_ / "way.recording", std::ios::binary);
+  ASSERT_EQ(run("crossing.level -o way.recording").exitCode, 0);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
+  EXPECT_GT(readBytes(folder_ / "way.recording").size(), 3U);
 }
 
 }  // namespace

@@ -132,6 +132,25 @@ TEST_F(TextFileTest, ACachedFileIsReplacedByARenameToo) {
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
+TEST_F(TextFileTest, AContentInPiecesReplacesTheFileAtItsEnd) {
+  writeText(path_, "old");
+  {
+    FileReplacement replacement(path_);
+    replacement.write("brand ");
+    replacement.write("new");
+    EXPECT_EQ(readText(path_), "old");
+    EXPECT_EQ(replacement.finish(), "");
+    EXPECT_EQ(readText(path_), "brand new");
+  }
+  { FileReplacement(path_).write("given up"); }
+  EXPECT_EQ(readText(path_), "brand new");
+  EXPECT_EQ(filesInFolder(), 1u);
+  FileReplacement failed(folder_ / "missing/file");
+  EXPECT_EQ(failed.fault(), "No such file or directory");
+  failed.write("new");
+  EXPECT_EQ(failed.finish(), "No such file or directory");
+}
+
 TEST_F(TextFileTest, OnFailureTheFileIsAsBeforeAndNothingIsLeft) {
   EXPECT_EQ(replaceTextFile(folder_ / "missing/file", "new"), "No such file or directory");
   fs::create_directory(folder_ / "sub");
