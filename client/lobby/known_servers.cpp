@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -13,6 +12,7 @@
 
 #include "protocol/files/private_file.h"
 #include "protocol/files/text_file.h"
+#include "protocol/files/word_reader.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
 
@@ -33,19 +33,12 @@ bool isAddress(const std::string& text) {
 }
 
 // Nothing if the line is damaged.
-std::optional<KnownServer> parse(const std::string& line) {
-  std::istringstream words(line);
-  std::string address;
-  std::string key;
-  std::string more;
-  if (!(words >> address >> key) || words >> more || !isAddress(address)) return std::nullopt;
-  const std::optional<CryptoKey> parsed = keyOf(key);
-  return parsed ? std::optional(KnownServer{address, *parsed}) : std::nullopt;
-}
-
-bool isSkipped(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  return first == std::string::npos || line[first] == '#';
+std::optional<KnownServer> parse(std::string_view line) {
+  WordReader words(line);
+  const std::string address(words.next());
+  const std::optional<CryptoKey> key = keyOf(words.next());
+  if (!key || !words.peek().empty() || !isAddress(address)) return std::nullopt;
+  return KnownServer{address, *key};
 }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
@@ -93,13 +86,10 @@ std::string KnownServers::read() const {
 
 std::optional<CryptoKey> KnownServers::findIn(const std::string& text, const ServerAddress& server) const {
   std::optional<CryptoKey> found;
-  std::istringstream lines(text);
-  int number = 1;
-  for (std::string line; std::getline(lines, line); ++number) {
-    if (isSkipped(line)) continue;
-    const std::optional<KnownServer> known = parse(line);
+  for (TextLines lines(text); lines.nextEntry();) {
+    const std::optional<KnownServer> known = parse(lines.line());
     if (!known) {
-      refuse(file_.string() + ":" + std::to_string(number),
+      refuse(file_.string() + ":" + std::to_string(lines.number()),
              "damaged line, expected HOST:PORT KEY; correct or remove it. The key of a server without a line is "
              "stored again when you join");
     }

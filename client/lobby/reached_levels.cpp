@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
-#include <system_error>
 #include <utility>
+#include <variant>
 
-#include "client/lobby/kept_file.h"
-#include "protocol/files/text_file.h"
+#include "protocol/files/word_reader.h"
 #include "protocol/hash_text.h"
 
 namespace platon {
@@ -16,20 +14,19 @@ namespace {
 constexpr const char* kHead = "# Levels whose goal you have reached: the hash of each.\n";
 constexpr std::size_t kMaxBytes = ReachedLevels::kMaxLevels * 32;
 
+std::vector<std::uint64_t> levelsIn(const std::string& text) {
+  std::vector<std::uint64_t> levels;
+  for (TextLines lines(text); lines.nextEntry();) {
+    if (const std::optional<std::uint64_t> hash = hashIn(lines.line())) levels.push_back(*hash);
+  }
+  return levels;
+}
+
 }  // namespace
 
-ReachedLevels::ReachedLevels(std::filesystem::path file) : file_(std::move(file)) { read(); }
-
-bool ReachedLevels::read() {
-  if (file_.empty()) return true;
-  const std::optional<std::string> text = readKeptFile(file_, kMaxBytes);
-  if (!text) return false;
-  levels_.clear();
-  std::istringstream lines(*text);
-  for (std::string line; std::getline(lines, line);) {
-    if (const std::optional<std::uint64_t> hash = hashIn(line)) levels_.push_back(*hash);
-  }
-  return true;
+ReachedLevels::ReachedLevels(std::filesystem::path file) : file_(std::move(file), kMaxBytes) {
+  const auto text = file_.read();
+  if (const auto* const kept = std::get_if<std::string>(&text)) levels_ = levelsIn(*kept);
 }
 
 bool ReachedLevels::has(std::uint64_t level) const {
@@ -38,22 +35,19 @@ bool ReachedLevels::has(std::uint64_t level) const {
 
 // Another program may have added some.
 std::string ReachedLevels::add(std::uint64_t level) {
-  if (file_.empty() || has(level)) return {};
-  const bool isRead = read();
-  if (has(level)) return {};
+  if (file_.path().empty() || has(level)) return {};
   levels_.push_back(level);
-  if (!isRead) return faultOf("cannot be read");
-  if (levels_.size() > kMaxLevels) levels_.erase(levels_.begin(), levels_.end() - kMaxLevels);
-  std::string text = kHead;
-  for (const std::uint64_t each : levels_) text += hashText(each) + "\n";
-  std::error_code ignored;
-  std::filesystem::create_directories(file_.parent_path(), ignored);  // writing reports the error
-  const std::string fault = replaceCachedFile(file_.string(), text);
-  return fault.empty() ? fault : faultOf(fault);
-}
-
-std::string ReachedLevels::faultOf(const std::string& reason) const {
-  return "that the goal was reached is not kept: " + file_.string() + ": " + reason;
+  const auto addTo = [&](const std::string& kept) {
+    levels_ = levelsIn(kept);
+    if (!has(level)) levels_.push_back(level);
+    if (levels_.size() > kMaxLevels) levels_.erase(levels_.begin(), levels_.end() - kMaxLevels);
+    std::string text = kHead;
+    for (const std::uint64_t each : levels_) text += hashText(each) + "\n";
+    return text;
+  };
+  const std::string fault = file_.change(addTo, FileReplacement::Wait::kNot);
+  if (fault.empty()) return {};
+  return "that the goal was reached is not kept: " + file_.path().string() + ": " + fault;
 }
 
 }  // namespace platon

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "protocol/files/kept_file.h"
+
 namespace platon {
 
 /// The levels whose goal the player has reached alone, at any speed, without a time: a text file with the hash of a
@@ -21,14 +23,11 @@ class ReachedLevels {
 
   bool has(std::uint64_t level) const;
   /// Adds a level to what the file holds now, unless it is known already. Returns why that failed, a sentence that
-  /// names the file, or an empty text. Does not wait for the disk.
+  /// names the file, or an empty text. Does not wait for the disk, but for another program that adds one.
   std::string add(std::uint64_t level);
 
  private:
-  bool read();
-  std::string faultOf(const std::string& reason) const;
-
-  std::filesystem::path file_;
+  KeptFile file_;
   std::vector<std::uint64_t> levels_;  // in the order in which they were reached
 };
 

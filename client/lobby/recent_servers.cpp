@@ -1,13 +1,11 @@
 #include "client/lobby/recent_servers.h"
 
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+#include <utility>
+#include <variant>
 
-#include "client/lobby/kept_file.h"
-#include "protocol/files/text_file.h"
+#include "protocol/files/word_reader.h"
 
 namespace platon {
 namespace {
@@ -16,10 +14,9 @@ constexpr std::size_t kMaxFileBytes = 64 * 1024;
 
 std::vector<ServerAddress> serversIn(const std::string& text) {
   std::vector<ServerAddress> servers;
-  std::istringstream lines(text);
-  for (std::string line; servers.size() < RecentServers::kMaxServers && std::getline(lines, line);) {
+  for (TextLines lines(text); servers.size() < RecentServers::kMaxServers && lines.nextEntry();) {
     try {
-      servers.push_back(parseServerAddress(line));
+      servers.push_back(parseServerAddress(lines.line()));
     } catch (const std::invalid_argument&) {
       continue;  // the player has changed the file
     }
@@ -29,21 +26,23 @@ std::vector<ServerAddress> serversIn(const std::string& text) {
 
 }  // namespace
 
+RecentServers::RecentServers(std::filesystem::path file) : file_(std::move(file), kMaxFileBytes) {}
+
 std::vector<ServerAddress> RecentServers::list() const {
-  return file_.empty() ? std::vector<ServerAddress>() : serversIn(readKeptFile(file_, kMaxFileBytes).value_or(""));
+  const auto text = file_.read();
+  return std::holds_alternative<ParseError>(text) ? std::vector<ServerAddress>()
+                                                  : serversIn(std::get<std::string>(text));
 }
 
 void RecentServers::remember(const ServerAddress& server) const {
-  if (file_.empty()) return;
-  const std::optional<std::string> kept = readKeptFile(file_, kMaxFileBytes);
-  if (!kept) return;
-  std::string text = server.text() + "\n";
-  for (const ServerAddress& other : serversIn(*kept)) {
-    if (other.text() != server.text()) text += other.text() + "\n";
-  }
-  std::error_code ignored;  // the file cannot be written then
-  std::filesystem::create_directories(file_.parent_path(), ignored);
-  replaceTextFile(file_.string(), text);
+  const auto first = [&](const std::string& kept) {
+    std::string text = server.text() + "\n";
+    for (const ServerAddress& other : serversIn(kept)) {
+      if (other.text() != server.text()) text += other.text() + "\n";
+    }
+    return text;
+  };
+  file_.change(first, FileReplacement::Wait::kForDisk);
 }
 
 }  // namespace platon

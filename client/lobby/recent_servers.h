@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "protocol/files/kept_file.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {
@@ -15,7 +16,7 @@ class RecentServers {
   static constexpr std::size_t kMaxServers = 6;
 
   /// An empty path: remembers nothing.
-  explicit RecentServers(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit RecentServers(std::filesystem::path file);
 
   /// At most kMaxServers; none if the file cannot be read.
   std::vector<ServerAddress> list() const;
@@ -23,7 +24,7 @@ class RecentServers {
   void remember(const ServerAddress& server) const;
 
  private:
-  std::filesystem::path file_;
+  KeptFile file_;
 };
 
 }  // namespace platon

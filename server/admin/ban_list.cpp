@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/files/word_reader.h"
 #include "protocol/label.h"
-#include "server/base/word_reader.h"
 
 namespace platon {
 namespace {

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "platon/game/diagnostics.h"
+#include "protocol/files/word_reader.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
 #include "protocol/transport/server_address.h"
 #include "server/admin/ban_list.h"
 #include "server/base/utc_time.h"
-#include "server/base/word_reader.h"
 
 namespace platon {
 namespace {

@@ -4,10 +4,10 @@
 #include <charconv>
 
 #include "protocol/files/parse_error.h"
+#include "protocol/files/word_reader.h"
 #include "protocol/hash_text.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
-#include "server/base/word_reader.h"
 
 namespace platon {
 namespace {
@@ -63,16 +63,13 @@ std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_vi
   }
   BestTimes times;
   std::vector<Diagnostic> errors;
-  for (int number = 1; !text.empty() && errors.size() < kMaxErrors; ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    TimeReader line{{WordReader(text.substr(0, end))}};
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.words.peek().empty() || line.words.peek().starts_with('#')) continue;
+  for (TextLines lines(text); errors.size() < kMaxErrors && lines.nextEntry();) {
+    TimeReader line{{WordReader(lines.line())}};
     auto read = line.read();
     if (const auto* error = std::get_if<ParseError>(&read)) {
-      errors.push_back({number, line.column, true, error->what + "; correct or remove the line"});
+      errors.push_back({lines.number(), line.column, true, error->what + "; correct or remove the line"});
     } else if (!times.times_.insert(std::get<Entry>(std::move(read))).second) {
-      errors.push_back({number, 1, true, "a second time of this level and these rules; remove one of them"});
+      errors.push_back({lines.number(), 1, true, "a second time of this level and these rules; remove one of them"});
     }
   }
   times.limit();

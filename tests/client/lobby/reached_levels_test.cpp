@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +44,20 @@ TEST_F(ReachedLevelsTest, ThoseOfAnotherProgramStay) {
   EXPECT_TRUE(next.has(2));
 }
 
+// Two programs that had read it at the same time lost one of two levels.
+TEST_F(ReachedLevelsTest, ProgramsThatAddAtTheSameTimeLoseNone) {
+  std::vector<std::jthread> programs;
+  for (std::uint64_t program = 0; program < 2; ++program) {
+    programs.emplace_back([this, program] {
+      ReachedLevels levels(file_);
+      for (std::uint64_t n = 0; n < 20; ++n) EXPECT_EQ(levels.add(2 * n + program), "");
+    });
+  }
+  programs.clear();
+  const ReachedLevels all(file_);
+  for (std::uint64_t level = 0; level < 40; ++level) EXPECT_TRUE(all.has(level)) << level;
+}
+
 TEST_F(ReachedLevelsTest, WhatIsNoHashIsLeftOut) {
   std::filesystem::create_directories(file_.parent_path());
   writeText(file_, "# x\n\n7\n00000000000000AB\n00000000000000ab\n00000000000000cd 5\n");
@@ -70,7 +86,8 @@ TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
   std::filesystem::create_directories(file_.parent_path());
   std::filesystem::create_symlink(file_, file_);
   ReachedLevels levels(file_);
-  EXPECT_EQ(levels.add(7), "that the goal was reached is not kept: " + file_.string() + ": cannot be read");
+  EXPECT_EQ(levels.add(7),
+            "that the goal was reached is not kept: " + file_.string() + ": Too many levels of symbolic links");
   EXPECT_TRUE(levels.has(7)) << "until the program ends";
   EXPECT_EQ(levels.add(7), "") << "told once";
   EXPECT_TRUE(std::filesystem::is_symlink(file_));
@@ -79,7 +96,8 @@ TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
 TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
   writeText(folder_ / "data", "a file");
   EXPECT_EQ(ReachedLevels(file_).add(7),
-            "that the goal was reached is not kept: " + file_.string() + ": Not a directory");
+            "that the goal was reached is not kept: " + file_.string() + ": '" + file_.string() +
+                ".lock' cannot be opened: Not a directory; remove it, and let the program write to its folder");
   EXPECT_EQ(ReachedLevels({}).add(7), "");
 }
 

@@ -1,4 +1,4 @@
-#include "server/base/word_reader.h"
+#include "protocol/files/word_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +52,28 @@ TEST(LineReader, RemembersWhereTheLastThingBegins) {
   EXPECT_EQ(line.column, 5);
   EXPECT_EQ(line.rest(), "d e");
   EXPECT_EQ(line.column, 9);
+}
+
+TEST(TextLines, AreNumberedAndEndWithLfOrCrLf) {
+  TextLines lines("one\r\n\n # two\n\t\n# \n three\r");
+  for (const std::string_view line : {"one", "", " # two", "\t", "# ", " three"}) {
+    EXPECT_TRUE(lines.next());
+    EXPECT_EQ(lines.line(), line);
+  }
+  EXPECT_EQ(lines.number(), 6);
+  EXPECT_FALSE(lines.next());
+  EXPECT_FALSE(TextLines("").next());
+}
+
+TEST(TextLines, EntriesAreNeitherEmptyNorComments) {
+  TextLines lines("\n# head\none\n \t\n\t# \r\n two\n\n");
+  EXPECT_TRUE(lines.nextEntry());
+  EXPECT_EQ(lines.line(), "one");
+  EXPECT_EQ(lines.number(), 3);
+  EXPECT_TRUE(lines.nextEntry());
+  EXPECT_EQ(lines.line(), " two");
+  EXPECT_EQ(lines.number(), 6);
+  EXPECT_FALSE(lines.nextEntry());
 }
 
 }  // namespace

@@ -40,4 +40,24 @@ struct LineReader {
   }
 };
 
+/// Reads the lines of a text, one after the other. They end with LF, or with CR LF; the last one may have no end.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : left_(text) {}
+
+  /// Goes on to the next line. Returns whether there is one.
+  bool next();
+  /// As next, to the next line that is not empty and does not begin with `#`, spaces aside.
+  bool nextEntry();
+  /// The line, without its end.
+  std::string_view line() const { return line_; }
+  /// Its number, from 1.
+  int number() const { return number_; }
+
+ private:
+  std::string_view left_;
+  std::string_view line_;
+  int number_ = 0;
+};
+
 }  // namespace platon
