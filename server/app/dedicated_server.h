@@ -54,6 +54,9 @@ class DedicatedServer {
 
   /// Receives messages, runs one tick if it is due, and sends messages.
   void step(TimePoint now);
+  /// Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or the idle wait has
+  /// passed. In a flood it sleeps only shortly.
+  void wait();
   /// Steps at the times that are due until `stopRequested`, which is called before each step, returns true; then stops.
   void run(const std::function<bool()>& stopRequested);
   /// Sets where `run` tells all clients at its end that they can go on (isNextServer); empty: nowhere.
@@ -101,9 +104,6 @@ class DedicatedServer {
  private:
   HostRules hostRules();
   MatchProgram matchProgram();
-  // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or idleWait_ has
-  // passed. In a flood it sleeps only shortly.
-  void wait();
   void receive(TimePoint now);
   void handle(const HostEvent& event, TimePoint now);
   void sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now);

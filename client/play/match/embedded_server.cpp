@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -100,21 +101,26 @@ struct EmbeddedServer::Running {
   Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
           const std::shared_ptr<const PausableClock>& clock)
       : levelFiles(files), server(serverSettings(settings), load(files), silentLog()) {
-    if (clock) server.setClock([clock] { return TimePoint(clock->now()); });
-    thread = startThread([this] { server.run([this] { return shouldStop(); }); });
+    if (clock) now = [clock] { return TimePoint(clock->now()); };
+    server.setClock(now);
+    thread = startThread([this] { run(); });
   }
   ~Running() {
     stop = true;
     thread.join();
   }
 
-  bool shouldStop() {
-    if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
-    server.match().countTimes(timesCount);
-    if (nextAsked.exchange(false)) server.match().startNextRound();
-    players = server.match().players();
-    waits = server.match().waits();
-    return stop;
+  void run() {
+    while (!stop) {
+      if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+      server.match().countTimes(timesCount);
+      if (nextAsked.exchange(false)) server.match().startNextRound();
+      server.step(now());
+      players = server.match().players();
+      waits = server.match().waits();
+      server.wait();
+    }
+    server.stop("the server stops");
   }
 
   // Whoever plays the only level while it is made sees each version at once.
@@ -128,6 +134,7 @@ struct EmbeddedServer::Running {
     }
   }
 
+  std::function<TimePoint()> now = steadyNow;
   FileWatch levelFiles;
   DedicatedServer server;
   std::atomic<bool> stop{false};
