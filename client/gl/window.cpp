@@ -68,6 +68,7 @@ Window::Window(const std::string& title, int width, int height) : handle_(openWi
   glfwSetMouseButtonCallback(handle_, onButton);
   glfwSetScrollCallback(handle_, onScroll);
   glfwSetDropCallback(handle_, onDrop);
+  glfwSetWindowCloseCallback(handle_, onClose);
   glfwGetCursorPos(handle_, &pointerX_, &pointerY_);
   glfwMakeContextCurrent(handle_);
   glfwSwapInterval(1);
@@ -93,6 +94,7 @@ void Window::poll() {
   glfwPollEvents();
   const std::vector<KeyEvent> gamepadEvents = gamepadKeys_.update(readGamepads());
   events_.insert(events_.end(), gamepadEvents.begin(), gamepadEvents.end());
+  if (gamepadKeys_.takeLost()) events_.emplace_back(GamepadLost());
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(handle_, &width, &height);
@@ -100,19 +102,13 @@ void Window::poll() {
   pixelHeight_ = static_cast<std::uint32_t>(height);
 }
 
-bool Window::closing() const { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
-
 bool Window::focused() const { return !minimised() && glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE; }
 
 bool Window::minimised() const {
   return pixelWidth_ == 0 || pixelHeight_ == 0 || glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) == GLFW_TRUE;
 }
 
-void Window::stayOpen() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
-
 std::vector<WindowEvent> Window::takeEvents() { return std::exchange(events_, {}); }
-
-std::vector<std::string> Window::takeDroppedFiles() { return std::exchange(droppedFiles_, {}); }
 
 std::string Window::clipboard() const {
   const char* const text = glfwGetClipboardString(handle_);
@@ -180,8 +176,13 @@ void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) 
 }
 
 void Window::onDrop(GLFWwindow* handle, int count, const char** paths) {
-  std::vector<std::string>& files = static_cast<Window*>(glfwGetWindowUserPointer(handle))->droppedFiles_;
-  files.insert(files.end(), paths, paths + count);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))
+      ->events_.emplace_back(FilesDropped{std::vector<std::string>(paths, paths + count)});
+}
+
+void Window::onClose(GLFWwindow* handle) {
+  glfwSetWindowShouldClose(handle, GLFW_FALSE);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->events_.emplace_back(CloseAsked());
 }
 
 void Window::onScroll(GLFWwindow* handle, double /*x*/, double y) {

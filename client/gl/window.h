@@ -13,11 +13,21 @@ struct GLFWwindow;
 
 namespace platon {
 
-using WindowEvent = std::variant<KeyEvent, PointerEvent>;
+/// The gamepad that was used last has been disconnected. The events that release its keys come before.
+struct GamepadLost {};
+
+/// Files were dropped on the window; their paths, in order.
+struct FilesDropped {
+  std::vector<std::string> paths;
+};
+
+/// The player has asked to close the window, which stays open.
+struct CloseAsked {};
+
+using WindowEvent = std::variant<KeyEvent, PointerEvent, GamepadLost, FilesDropped, CloseAsked>;
 
 /// A window with an OpenGL 3.3 core context, which is current from construction to destruction, and the source of the
-/// key events of keyboard and gamepads and of the pointer events of the mouse. At most one exists at a time, on the
-/// main thread.
+/// events of keyboard, gamepads, mouse and window manager. At most one exists at a time, on the main thread.
 class Window {
  public:
   /// `width` × `height` in screen coordinates. Throws NoOpenGl if the driver has no OpenGL 3.3, and
@@ -29,22 +39,14 @@ class Window {
 
   /// Processes the events since the last call.
   void poll();
-  /// Whether the player has asked to close the window.
-  bool closing() const;
   /// Whether the keys go to this window; not while it is minimised.
   bool focused() const;
   /// Whether nothing of the window is shown; also if its size is 0.
   bool minimised() const;
-  /// Forgets that the player has asked to close the window.
-  void stayOpen();
   /// Returns the events since the last call in the order in which they happened; those of the gamepads as of each
   /// `poll`. Characters that are typed follow their keys. A window that loses the focus releases all keys; one that
   /// comes to lie below a pointer at rest gets no kMove.
   std::vector<WindowEvent> takeEvents();
-  /// Whether the gamepad that was used last has been disconnected since the last call; its keys are released.
-  bool takeLostGamepad() { return gamepadKeys_.takeLost(); }
-  /// Returns the paths of the files that were dropped on the window since the last call, in order.
-  std::vector<std::string> takeDroppedFiles();
   /// The text of the clipboard, UTF-8; empty if it has none.
   std::string clipboard() const;
   /// Shows this text in the title bar.
@@ -69,11 +71,11 @@ class Window {
   static void onButton(GLFWwindow* handle, int button, int action, int mods);
   static void onScroll(GLFWwindow* handle, double x, double y);
   static void onDrop(GLFWwindow* handle, int count, const char** paths);
+  static void onClose(GLFWwindow* handle);
   void addPointerEvent(PointerEvent event);
 
   GLFWwindow* handle_ = nullptr;
   std::vector<WindowEvent> events_;
-  std::vector<std::string> droppedFiles_;
   double pointerX_ = 0;  // as of the last event, in screen coordinates
   double pointerY_ = 0;
   bool entered_ = false;  // the pointer is new in the window, and its place is not known yet

@@ -1,14 +1,24 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
-#include "client/play/offscreen/frame_options.h"
 #include "platon/game/solid.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {
+
+/// Options for writing the frames of a game that the demonstration plays without server, window or clock.
+struct FrameOptions {
+  std::string folder;          ///< for 0000.png, 0001.png …; empty: no frames
+  int perSecond = 30;          ///< divides kTicksPerSecond
+  double from = 0;             ///< seconds of play before the first frame
+  std::uint32_t width = 1280;  ///< pixels; the height is 9/16 of it
+  double zoom = 1;             ///< of the camera, 0.5 … 2
+  std::uint32_t players = 1;   ///< each starts a second after the one before; the camera follows the first
+};
 
 /// Command-line options of `platon-client`.
 struct ClientOptions {

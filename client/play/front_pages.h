@@ -50,7 +50,6 @@ class FrontPages {
   LevelEntry entryOf(const std::shared_ptr<const Level>& level) const;
   /// The medals of a level, also before the title was shown; reads files.
   std::optional<MedalTimes> medalsOf(const std::shared_ptr<const Level>& level);
-  const RecentServers& recent() const { return recent_; }
   /// Shows the title and, if there is one, above it the page of a recording.
   void showRun(const std::filesystem::path& file);
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/files/settings_file.h"
@@ -14,13 +15,12 @@
 #include "client/lobby/near_servers.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/play/client_options.h"
-#include "client/play/edit_play.h"
-#include "client/play/match/embedded_server.h"
+#include "client/play/editor_screen.h"
+#include "client/play/game_desk.h"
 #include "client/play/offscreen/frame_benchmark.h"
-#include "client/play/offscreen/frame_play.h"
 #include "client/play/offscreen/offscreen_play.h"
-#include "client/play/offscreen/offscreen_replay.h"
-#include "client/play/window_play.h"
+#include "client/play/screen.h"
+#include "client/play/title_screen.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "server/app/level_files.h"
@@ -28,30 +28,99 @@
 namespace platon {
 namespace {
 
+constexpr Moment kUpdateInterval = std::chrono::milliseconds(4);
+constexpr Moment kAnalysisInterval = std::chrono::milliseconds(10);
+constexpr double kEditSeconds = 10;  // for the analysis, off-screen
+
 // Set by a signal, which may arrive in any thread.
 std::atomic<bool> stopSignal = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
 
-bool stopRequested() { return stopSignal; }
+// Shows screens until the player leaves, the program is stopped, or its time is up.
+void show(ScreenStack& screens, Window& window, const Clock& clock, std::optional<double> seconds) {
+  const Moment start = clock.now();
+  Moment before = start;
+  for (Moment now = start; screens.isOpen() && !stopSignal; now = clock.now()) {
+    if (seconds && toSeconds(now - start) >= *seconds) break;
+    const Frame frame{now, toSeconds(now - std::exchange(before, now))};
+    window.poll();
+    for (const WindowEvent& event : window.takeEvents()) screens.handle(event);
+    screens.update(frame);
+    if (!window.minimised()) {
+      screens.draw(frame);
+      window.show();
+    }
+    clock.sleepUntil(now + screens.frameTime());
+  }
+  screens.close();
+}
 
-EmbeddedSettings ownLevels(const ClientOptions& options) {
-  EmbeddedSettings settings;
-  if (!options.level.empty()) settings.levels = {options.level};
-  return settings;
+void playInWindow(const ClientOptions& options, const Clock& clock) {
+  GameDesk desk(options, clock);
+  ScreenStack screens(std::make_unique<TitleScreen>(desk));
+  show(screens, desk.window, clock, options.seconds);
+  if (desk.named.failure) throw ProgramError(*desk.named.failure);
+}
+
+void playOffscreen(const ClientOptions& options, const Clock& clock) {
+  OffscreenPlay play(options, clock);
+  const Moment start = clock.now();
+  const double seconds = options.seconds.value_or(OffscreenPlay::kSeconds);
+  for (Moment now = start; toSeconds(now - start) < seconds && !stopSignal; now = clock.now()) {
+    play.update();
+    clock.sleepUntil(now + kUpdateInterval);
+  }
+  play.finish();
+}
+
+void edit(const ClientOptions& options, const Clock& clock) {
+  EditSession session(options.edit, options.solid);
+  if (!options.offscreen) {
+    Window window = openWindow("to draw the editor without one, use --offscreen --screenshot");
+    const Settings settings = SettingsFile(configFolder()).load();
+    ScreenStack screens(std::make_unique<EditorScreen>(session, window, settings, options.screenshot));
+    return show(screens, window, clock, options.seconds);
+  }
+  const Offscreen offscreen;
+  EditorPicture picture{Settings()};
+  const Moment start = clock.now();
+  const double seconds = options.seconds.value_or(kEditSeconds);
+  for (Moment now = start; toSeconds(now - start) < seconds && !stopSignal && !session.analyse(); now = clock.now())
+    clock.sleepUntil(now + kAnalysisInterval);
+  picture.draw(session.editor());
+  writeScreenshot(picture.read(), options.screenshot);
+}
+
+void drawRecording(const ClientOptions& options, const Clock& clock) {
+  OffscreenReplay replay(options, SettingsFile(configFolder()).load(), clock.now());
+  for (Moment now = clock.now(); !replay.read(now); now = clock.now()) {
+    if (stopSignal) throw replay.stopped();
+    clock.sleepUntil(now + kUpdateInterval);
+  }
+  replay.draw();
+}
+
+void writeFrames(const ClientOptions& options) {
+  FramePlay play(options, loadLevelFiles({options.level}).levels.front());
+  while (!play.done() && !stopSignal) play.advance();
 }
 
 void benchmark(const ClientOptions& options) {
   const std::vector<std::string> files =
       options.level.empty() ? gameLevelFiles() : std::vector<std::string>{options.level};
-  const std::shared_ptr<const Level> level = loadLevelFiles({files.front()}).levels.front();
-  const BenchmarkReport report = FrameBenchmark(level, {steadyClock().now, programTime, threadTime}).run(stopRequested);
+  FrameBenchmark benchmark(loadLevelFiles({files.front()}).levels.front(),
+                           {steadyClock().now, programTime, threadTime});
+  do {
+    benchmark.measure();
+  } while (!benchmark.done() && !stopSignal);
+  const BenchmarkReport report = benchmark.report();
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
 }
 
 // One search; a server in the same network answers within milliseconds.
 void listNearServers(const Clock& clock) {
   NearServers servers = searchNearby();
-  for (const Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopRequested();) {
+  for (const Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopSignal;) {
     servers.update(clock.now());
     servers.socket().wait(std::chrono::milliseconds(20));
   }
@@ -64,7 +133,7 @@ void listNearServers(const Clock& clock) {
 // Returns the exit code: 1 if the list could not be read as a whole.
 int printListedServers(const std::string& url, const Clock& clock) {
   ListedServers servers(url);
-  for (Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopRequested();) {
+  for (Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopSignal;) {
     servers.update(clock.now());
     if (servers.reading()) end = clock.now() + std::chrono::seconds(1);
     servers.wait(std::chrono::milliseconds(20));
@@ -84,36 +153,26 @@ int listServers(const ClientOptions& options, const Clock& clock) {
 }
 
 int play(int argc, char** argv) {
-  std::optional<ClientOptions> options = readClientOptions(argc, argv);
+  const std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
   std::signal(SIGTERM, [](int) { stopSignal = true; });
   std::signal(SIGINT, [](int) { stopSignal = true; });
+  const Clock clock = steadyClock();
   if (!options->frames.folder.empty()) {
-    FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
-    return 0;
-  }
-  if (options->list) return listServers(*options, steadyClock());
-  if (options->benchmark) {
+    writeFrames(*options);
+  } else if (options->list) {
+    return listServers(*options, clock);
+  } else if (options->benchmark) {
     benchmark(*options);
-    return 0;
+  } else if (!options->edit.empty()) {
+    edit(*options, clock);
+  } else if (!options->offscreen) {
+    playInWindow(*options, clock);
+  } else if (!options->replay.empty()) {
+    drawRecording(*options, clock);
+  } else {
+    playOffscreen(*options, clock);
   }
-  if (!options->edit.empty()) {
-    EditPlay(*options, steadyClock()).run(stopRequested);
-    return 0;
-  }
-  if (options->offscreen && !options->replay.empty()) {
-    OffscreenReplay(*options, SettingsFile(configFolder()).load(), steadyClock(), stopRequested).run();
-    return 0;
-  }
-  if (!options->offscreen) {
-    WindowPlay(*options, steadyClock()).run(stopRequested);
-    return 0;
-  }
-  std::optional<EmbeddedServer> embedded;
-  if (!options->server) embedded.emplace(ownLevels(*options));
-  if (embedded) options->knowledge.identity = embedded->identity();
-  const ServerAddress server = embedded ? embedded->address() : *options->server;
-  OffscreenPlay(*options, server, steadyClock()).run(stopRequested);
   return 0;
 }
 

@@ -30,9 +30,9 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   if (!note.empty()) choices.notes.insert(choices.notes.begin(), note);
   if (!alone) choices.notes.emplace_back("The game goes on while the menu is open.");
   choices.title = alone ? "Pause" : "Platon";
-  choices.next = alone                       ? "Next level"
-                 : match.play().wishesNext() ? "Take back the vote for the next level"
-                                             : "Vote for the next level";
+  choices.next = alone                ? "Next level"
+                 : match.wishesNext() ? "Take back the vote for the next level"
+                                      : "Vote for the next level";
   choices.restartKey = interface_->keyHints().of(Control::kRestart);
   choices.sayKey = interface_->keyHints().of(Control::kSay);
   choices.onResume = [this] { menu_->close(); };
@@ -47,7 +47,7 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   choices.onSettings = calls_.showSettings;
   choices.onLeave = calls_.leave;
   if (!alone) choices.onSay = [this, &match] { showSay(match); };
-  const std::filesystem::path& best = match.play().bestRun();
+  const std::filesystem::path& best = match.bestRun();
   if (alone && !best.empty()) choices.onWatch = [this, best] { calls_.watch(best); };
   return pausePage(choices);
 }
@@ -58,7 +58,7 @@ void MatchPages::showSay(LiveMatch& match) {
     choices.say = [this, &match] { say(match, {text_.text(), 0}); };
     choices.emote = [this, &match](std::uint32_t emote) { say(match, {"", emote}); };
     choices.leave = [this] { menu_->close(); };
-    choices.said = match.play().said();
+    choices.said = match.said(interface_->settings());
     return sayPage(text_, choices);
   });
 }
@@ -67,7 +67,7 @@ void MatchPages::showSay(LiveMatch& match) {
 void MatchPages::say(LiveMatch& match, const Chat& chat) {
   menu_->close();
   if (!isChat(chat)) return;
-  if (!match.play().say(chat, match.now())) return calls_.tell("too much at once: wait a moment");
+  if (!match.say(chat)) return calls_.tell("too much at once: wait a moment");
   if (chat.emote == 0) text_.setText("");
 }
 

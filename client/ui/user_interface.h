@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "client/scene/look_input.h"
@@ -16,8 +17,9 @@ class UserInterface {
  public:
   explicit UserInterface(const Settings& settings) : settings_(settings) {}
 
-  /// `menuOpen`: the event belongs to the menu; keys that act everywhere act all the same.
-  void handle(const KeyEvent& event, bool menuOpen);
+  /// `menuOpen`: the event belongs to the menu; keys that act everywhere act all the same. Returns what the
+  /// player asks for; help, net graph and full screen have been changed already.
+  std::optional<Action> handle(const KeyEvent& event, bool menuOpen);
   /// Returns the controls of the next tick; none while the menu is open. Called once a tick.
   HeldKeys takeHeld(bool menuOpen);
   /// Returns the player to the start in the next tick, as the key for it does.
@@ -32,37 +34,14 @@ class UserInterface {
   /// The keys to name on the screen.
   KeyHints keyHints() const { return KeyHints(settings_.bindings, gamepadUsed_); }
 
-  /// Whether the player has asked for the menu since the last call.
-  bool takeMenu() { return std::exchange(menuAsked_, false); }
-  /// Whether the player has changed its vote for the next level since the last call.
-  bool takeVote() { return std::exchange(voteToggled_, false); }
-  /// Whether the player has asked since the last call to go on after the goal.
-  bool takeGoOn() { return std::exchange(goOnAsked_, false); }
-  /// Whether the player has asked since the last call to watch another player.
-  bool takeWatch() { return std::exchange(watchAsked_, false); }
-
-  /// Whether the player has asked since the last call to say something.
-  bool takeSay() { return std::exchange(sayAsked_, false); }
-
-  /// Whether the player has asked since the last call to save the picture.
-  bool takePicture() { return std::exchange(pictureAsked_, false); }
-
   Settings& settings() { return settings_; }
   const Settings& settings() const { return settings_; }
   bool helpShown() const { return helpShown_; }
 
  private:
-  void perform(Action action);
-
   Settings settings_;
   InputMapper mapper_;
   bool helpShown_ = false;
-  bool menuAsked_ = false;
-  bool voteToggled_ = false;
-  bool goOnAsked_ = false;
-  bool watchAsked_ = false;
-  bool pictureAsked_ = false;
-  bool sayAsked_ = false;
   bool restart_ = false;
   bool gamepadUsed_ = false;  // later than the keyboard
 };

@@ -1,17 +1,36 @@
 #pragma once
 
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "client/desync/desync_report.h"
+#include "client/files/session_file.h"
+#include "client/hud/hud.h"
+#include "client/lobby/known_servers.h"
 #include "client/lobby/reached_levels.h"
 #include "client/play/client_options.h"
-#include "client/play/match/attempt_speed.h"
 #include "client/play/match/embedded_server.h"
-#include "client/play/match/match_play.h"
+#include "client/play/match/session_feeds.h"
+#include "client/replay/run_keeper.h"
+#include "client/scene/scene.h"
+#include "client/session/network_client.h"
 #include "client/time/clock.h"
+#include "client/time/pausable_clock.h"
+#include "client/ui/chat_feed.h"
+#include "client/ui/settings.h"
+#include "platon/game/player.h"
+#include "protocol/moment.h"
+#include "protocol/token_bucket.h"
 #include "protocol/transport/password.h"
 #include "protocol/transport/server_address.h"
 
@@ -26,54 +45,183 @@ struct MatchChoice {
   std::filesystem::path rival{};          ///< a recording that runs as a ghost, whatever the settings; empty: none
 };
 
-/// A match and, unless it is on another server, the server that runs it. Both go by one clock, which stands still while
-/// a player who is alone pauses.
+/// The least speed at which the game has run during the present attempt of a player, up to the goal.
+class AttemptSpeed {
+ public:
+  /// The game of this round has run at this speed, 0.5 … 1, since the last call; `player` is its present state.
+  void observe(std::uint32_t round, const PlayerState& player, double speed) {
+    const bool begins = player.startedAt == 0 || player.startedAt != startedAt_ || round != round_;
+    if (begins) {
+      least_ = speed;
+    } else if (player.arrived == 0) {
+      least_ = std::min(least_, speed);
+    }
+    round_ = round;
+    startedAt_ = player.startedAt;
+  }
+
+  double least() const { return least_; }
+
+ private:
+  std::uint32_t round_ = 0;
+  std::uint32_t startedAt_ = 0;  // as PlayerState
+  double least_ = 1;
+};
+
+/// Lines on standard error about what a server does, no more than somebody can read: a hostile server would otherwise
+/// fill a disk with them. How many are left out is told.
+class ServerLines {
+ public:
+  using Print = std::function<void(const std::string&)>;
+
+  static constexpr double kLinesPerSecond = 1;
+  static constexpr double kBurst = 10;
+  /// Between the first line that is left out and the line that tells their number.
+  static constexpr Moment kTellTime = std::chrono::seconds(10);
+
+  /// `print` takes a line without its end.
+  explicit ServerLines(Moment now, Print print = toStderr)
+      : budget_(kLinesPerSecond, kBurst, now), print_(std::move(print)) {}
+
+  /// Prints a line, or leaves it out.
+  void add(const std::string& line, Moment now) {
+    if (budget_.take(1, now)) return print_(line);
+    if (leftOut_++ == 0) tellAt_ = now + kTellTime;
+  }
+  /// Tells how many lines were left out, when it is time. Call it regularly.
+  void update(Moment now) {
+    if (now >= tellAt_) tell();
+  }
+  /// Tells it at once; nothing if none were.
+  void tell() {
+    if (leftOut_ == 0) return;
+    print_(std::to_string(leftOut_) + (leftOut_ == 1 ? " line" : " lines") +
+           " about the server left out: it causes too many");
+    leftOut_ = 0;
+  }
+
+ private:
+  static void toStderr(const std::string& line) { std::fprintf(stderr, "platon-client: %s\n", line.c_str()); }
+
+  TokenBucket budget_;
+  Print print_;
+  std::size_t leftOut_ = 0;
+  Moment tellAt_{};
+};
+
+/// What is kept of a server from one match to the next: its key, and the token that resumes the player after a crash of
+/// the program. Of a server in this program nothing is kept.
+class ServerMemory {
+ public:
+  /// `own`: in this program, with this key.
+  ServerMemory(const MatchChoice& choice, ServerAddress server, const std::optional<CryptoKey>& own);
+
+  const ServerAddress& server() const { return server_; }
+  /// What a client knows of the server. Throws ProgramError if the file of known servers is damaged.
+  ServerKnowledge knowledge() const;
+  std::optional<SessionToken> token() const { return session_.token(); }
+  /// Keeps the key and the token as soon as the client is welcome.
+  void keep(const NetworkClient& client);
+  /// The player has left: nobody is to be resumed.
+  void forgetToken() { session_.forget(); }
+
+ private:
+  ServerAddress server_;
+  ServerKnowledge given_;
+  KnownServers known_;
+  SessionFile session_;
+  bool tokenKept_ = false;
+  bool keyKept_ = false;
+};
+
+/// A match that is played, with or without a window: the client and, unless it is on another server, the server that
+/// runs it. Both go by one clock, which stands still while a player who is alone pauses. It keeps runs and reached
+/// levels, writes desync reports, and says what is to be seen.
 class LiveMatch {
  public:
-  /// Starts the server, if it is in this program, and starts to connect. Throws as MatchPlay and EmbeddedServer do.
+  static constexpr Moment kNoticeTime = std::chrono::seconds(8);
+
+  /// Starts the server, if it is in this program, and starts to connect; resumes the player if the program ended
+  /// without leaving. Throws as EmbeddedServer does, std::runtime_error if the host name cannot be resolved or no
+  /// socket is available, and ProgramError if the file of known servers is damaged.
   LiveMatch(const ClientOptions& options, const MatchChoice& choice, const Clock& clock);
 
-  /// `wantsPause`: the match pauses as far as nobody else plays in it.
-  void update(bool wantsPause, const Controls& controls);
-  /// From now on, while nobody else plays on the server in this program, the game runs at this speed, 0.5 … 1. The
-  /// time and the run of an attempt in which it was less than 1 count for nothing.
-  void setSpeed(double speed);
-  /// The least speed of the present attempt.
-  double leastSpeed() const { return attempt_.least(); }
+  /// `wantsPause`: the match pauses as far as nobody else plays in it. `speed`, 0.5 … 1: that of the game while nobody
+  /// else plays on the server in this program. The time and the run of an attempt in which it was less than 1 count for
+  /// nothing.
+  void update(bool wantsPause, const Controls& controls, double speed = 1);
+  /// Leads to the next level: at once for a player who is alone, else by a vote, or taking it back.
+  void skipLevel();
+  /// Says something to all players. Returns false if this client has said too much, or is in no match.
+  bool say(const Chat& chat) { return client_.say(chat, now()); }
+  /// Leaves the match; takes at most half a second.
+  void leave();
+
+  const NetworkClient& client() const { return client_; }
+  /// Time of the match: stands still in a pause.
+  Moment now() const { return time_->now(); }
   /// Whether the game stands still.
   bool paused() const { return time_->paused(); }
   /// Whether the server is in this program and nobody else plays on it.
   bool alone() const { return server_ && server_->players() <= 1; }
   /// Whether a player who is alone has all the time it wants, and starts the next level itself: the server decides it.
   bool waits() const { return server_ && server_->waits(); }
-  /// Time of the match: stands still in a pause.
-  Moment now() const { return time_->now(); }
-  /// Leads to the next level: at once for a player who is alone, else by a vote, or taking it back.
-  void skipLevel();
-  /// Leaves the match; takes at most half a second.
-  void leave();
+  /// Whether the server has ended the round.
+  bool roundOver() const { return client_.session() != nullptr && client_.session()->roundEnd() != nullptr; }
+  /// Whether the local player wishes the next level.
+  bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
+  /// The present level; null before the first round.
+  std::shared_ptr<const Level> level() const;
+  /// The file of the local player's best run on the present level; empty: none.
+  const std::filesystem::path& bestRun() const { return runs_->bestFile(); }
+  /// The least speed of the present attempt.
+  double leastSpeed() const { return attempt_.least(); }
 
-  /// Of the server in this program, for a client in this program.
-  ServerAddress serverAddress() const { return server_->address(); }
+  /// Empty before the first round. During an outage, the last scene.
+  std::optional<Scene> scene(const Settings& settings = {});
+  /// What the head-up display shows besides the scene.
+  HudStatus hudStatus(const Settings& settings = {}, bool help = false) const;
+  /// Connection status for the player; empty while the match runs.
+  std::string message() const;
+  /// What players have said lately, newest first; empty if the settings hide it.
+  std::vector<std::string> said(const Settings& settings) const;
   /// What to tell others so that they can join, a paragraph each; empty unless the server in this program listens to
   /// the network.
   std::vector<std::string> invitation() const;
-  MatchPlay& play() { return *play_; }
-  const MatchPlay& play() const { return *play_; }
+  /// Of the server in this program, for a client in this program.
+  ServerAddress serverAddress() const { return server_->address(); }
 
  private:
-  void applySpeed();
+  // Text of the server's operator.
+  struct Notice {
+    std::string text;
+    Moment until{};
+  };
+
+  void run(double speed);
   void noteGoal();
+  void report();
+  void reportRuns();
+  void noteChats();
+  std::vector<GhostSource> ghosts(const Settings& settings) const;
 
   MatchChoice choice_;
   Clock clock_;
-  double speed_ = 1;  // that is wanted
-  AttemptSpeed attempt_;
-  ReachedLevels reached_;
-  std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for
   std::shared_ptr<PausableClock> time_;
-  std::optional<EmbeddedServer> server_;
-  std::optional<MatchPlay> play_;
+  std::unique_ptr<EmbeddedServer> server_;  // null: it is elsewhere
+  ServerMemory memory_;
+  std::shared_ptr<RunKeeper> runs_;
+  NetworkClient client_;
+  ReachedLevels reached_;
+  AttemptSpeed attempt_;
+  std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for
+  SceneFeed sceneFeed_;
+  std::optional<Scene> lastScene_;
+  ChatFeed chat_;
+  Notice notice_;  // the newest one
+  ServerLines lines_;
+  DesyncFolder desyncFolder_;
+  std::optional<std::string> reportedOutage_;
 };
 
 }  // namespace platon

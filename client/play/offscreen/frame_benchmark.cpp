@@ -1,6 +1,7 @@
 #include "client/play/offscreen/frame_benchmark.h"
 
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "client/gl/draw_calls.h"
@@ -8,6 +9,13 @@
 
 namespace platon {
 namespace {
+
+std::vector<std::string> namesInBenchmark() {
+  std::vector<std::string> names;
+  for (std::uint32_t slot = 0; slot < BenchmarkGame::kPlayers; ++slot)
+    names.push_back("Player " + std::to_string(slot + 1));
+  return names;
+}
 
 constexpr double kFrameSeconds = double{1} / 60;
 
@@ -17,6 +25,43 @@ void drawOn(GameView& view, const Scene& scene) { view.draw(&scene, {}, Settings
 
 }  // namespace
 
+BenchmarkGame::BenchmarkGame(std::shared_ptr<const Level> level) : game_(std::move(level), namesInBenchmark()) {
+  begin();
+}
+
+void BenchmarkGame::begin() {
+  game_.begin();
+  inputs_.clear();
+  prediction_.emplace(game_.game(), 0);
+}
+
+void BenchmarkGame::advance(std::uint32_t ticks) {
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) advance();
+}
+
+void BenchmarkGame::advance() {
+  if (game_.game().tick() > 0 && game_.game().over()) begin();
+  std::vector<Input> inputs(kPlayers);
+  inputs[0] = demo_.choose(game_.game(), 0);
+  for (std::uint32_t slot = 1; slot < kPlayers; ++slot) {
+    const std::size_t delay = std::size_t{slot} * kTicksBetween;
+    if (delay <= inputs_.size()) inputs[slot] = inputs_[inputs_.size() - delay][0];
+  }
+  for (Input& input : inputs) input.buttons |= Input::kPresent;
+  game_.advance(inputs);
+  inputs_.push_back(std::move(inputs));
+}
+
+void BenchmarkGame::predict() {
+  const std::uint32_t tick = prediction_->predictedTicks();
+  if (tick >= inputs_.size()) return;
+  if (tick >= kLead) {
+    prediction_->confirm(inputs_[prediction_->confirmedTicks()]);
+    prediction_->reconcile(Moment());
+  }
+  prediction_->predict(inputs_[tick][0]);
+}
+
 FrameBenchmark::Course::Course(const NamedQuality& named) : level(named.level) {
   view.setQuality(named.quality);
   commands.setQuality(named.quality);
@@ -25,12 +70,6 @@ FrameBenchmark::Course::Course(const NamedQuality& named) : level(named.level) {
 FrameBenchmark::FrameBenchmark(std::shared_ptr<const Level> level, Clocks clocks)
     : clocks_(std::move(clocks)), game_(std::move(level)) {
   for (const NamedQuality& named : kQualities) courses_.emplace_back(named);
-}
-
-BenchmarkReport FrameBenchmark::run(const std::function<bool()>& stopRequested) {
-  BenchmarkReport report;
-  report.driver = driverName();
-  // The first turn prepares the driver and loads the level.
   for (const Scene& scene : nextScenes()) {
     for (Course& course : courses_) {
       drawOn(course.view, scene);
@@ -39,13 +78,21 @@ BenchmarkReport FrameBenchmark::run(const std::function<bool()>& stopRequested) 
   }
   sceneTimes_ = {};
   tickTimes_ = {};
-  for (; report.frames < kFrames && !(report.frames > 0 && stopRequested()); report.frames += kFramesInTurn) {
-    const std::vector<Scene> scenes = nextScenes();
-    for (Course& course : courses_) {
-      for (const Scene& scene : scenes) draw(course, scene);
-      for (const Scene& scene : scenes) drawWithheld(course, scene);
-    }
+}
+
+void FrameBenchmark::measure() {
+  const std::vector<Scene> scenes = nextScenes();
+  for (Course& course : courses_) {
+    for (const Scene& scene : scenes) draw(course, scene);
+    for (const Scene& scene : scenes) drawWithheld(course, scene);
   }
+  frames_ += kFramesInTurn;
+}
+
+BenchmarkReport FrameBenchmark::report() const {
+  BenchmarkReport report;
+  report.driver = driverName();
+  report.frames = frames_;
   for (const Course& course : courses_) report.costs[static_cast<std::size_t>(course.level)] = costOf(course);
   return report;
 }

@@ -104,7 +104,7 @@ class WindowTest : public testing::Test {
 
 TEST_F(WindowTest, OpensWithTheRequestedSizeAndShowsThePicture) {
   EXPECT_TRUE(hasSize(kWidth, kHeight));
-  EXPECT_FALSE(window_.closing());
+  EXPECT_TRUE(take<CloseAsked>(window_).empty());
   expectShowsThePicture();
 }
 
@@ -343,13 +343,16 @@ TEST_F(WindowTest, AGamepadIsLostWhenItIsUnplugged) {
   window_.poll();
   fakeGamepad.reset();
   window_.poll();
-  EXPECT_FALSE(window_.takeLostGamepad()) << "it was not used";
+  EXPECT_TRUE(take<GamepadLost>(window_).empty()) << "it was not used";
   fakeGamepad.emplace().buttons[GLFW_GAMEPAD_BUTTON_A] = GLFW_PRESS;
   window_.poll();
   fakeGamepad.reset();
   window_.poll();
-  EXPECT_EQ(take<KeyEvent>(window_), (Events{{Key::kPadA, Kind::kPress}, {Key::kPadA, Kind::kRelease}}));
-  EXPECT_TRUE(window_.takeLostGamepad());
+  const std::vector<WindowEvent> events = window_.takeEvents();
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(std::get<KeyEvent>(events[0]), (KeyEvent{Key::kPadA, Kind::kPress}));
+  EXPECT_EQ(std::get<KeyEvent>(events[1]), (KeyEvent{Key::kPadA, Kind::kRelease}));
+  EXPECT_TRUE(std::holds_alternative<GamepadLost>(events[2]));
 }
 
 TEST_F(WindowTest, AResizedWindowShowsAPictureOfItsSize) {
@@ -411,7 +414,7 @@ TEST_F(WindowTest, AMinimisedWindowContinuesAndIsRestored) {
     window_.show();
     EXPECT_EQ(takeGlErrors(), "");
   }
-  EXPECT_FALSE(window_.closing());
+  EXPECT_TRUE(take<CloseAsked>(window_).empty());
   glfwRestoreWindow(handle_);
   ASSERT_TRUE(pollUntil([&] { return !has(GLFW_ICONIFIED) && has(GLFW_FOCUSED) && hasSize(kWidth, kHeight); }));
   expectShowsThePicture();
@@ -427,13 +430,17 @@ TEST_F(WindowTest, DroppedFilesAreTakenOnceInOrder) {
   std::array<const char*, 2> paths{"/a b", "/c"};
   drop(handle, 2, paths.data());
   drop(handle, 1, paths.data());
-  EXPECT_EQ(window_.takeDroppedFiles(), (std::vector<std::string>{"/a b", "/c", "/a b"}));
-  EXPECT_TRUE(window_.takeDroppedFiles().empty());
+  const std::vector<FilesDropped> dropped = take<FilesDropped>(window_);
+  ASSERT_EQ(dropped.size(), 2U);
+  EXPECT_EQ(dropped[0].paths, (std::vector<std::string>{"/a b", "/c"}));
+  EXPECT_EQ(dropped[1].paths, (std::vector<std::string>{"/a b"}));
+  EXPECT_TRUE(window_.takeEvents().empty());
 }
 
-TEST_F(WindowTest, TheWindowManagerClosesTheWindow) {
+TEST_F(WindowTest, TheWindowManagerAsksToCloseTheWindowWhichStaysOpen) {
   xdotool("key alt+F4");
-  EXPECT_TRUE(pollUntil([&] { return window_.closing(); }));
+  EXPECT_TRUE(pollUntil([&] { return !take<CloseAsked>(window_).empty(); }));
+  EXPECT_EQ(glfwWindowShouldClose(handle_), GLFW_FALSE);
 }
 
 TEST(Window, WithoutADisplayTheReasonIsStated) {

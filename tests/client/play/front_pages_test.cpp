@@ -402,7 +402,7 @@ TEST_F(FrontPagesTest, AListThatIsGivenGoesBeforeThatOfTheSettings) {
 }
 
 TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {
-  pages_.recent().remember({"before", 1});
+  RecentServers(folder_ / "recent").remember({"before", 1});
   tap(Key::kArrowDown, 2);
   tap(Key::kEnter);
   EXPECT_TRUE(shows("before:1"));

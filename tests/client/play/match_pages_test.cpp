@@ -26,7 +26,7 @@ class MatchPagesTest : public testing::Test {
     match_.emplace(ClientOptions(), choice_, clock_);
     EXPECT_TRUE(waitUntil([this] {
       match_->update(false, [](const Game&, std::uint32_t) { return Input{}; });
-      return match_->play().level() != nullptr;
+      return match_->level() != nullptr;
     }));
   }
   ~MatchPagesTest() override { match_->leave(); }
@@ -120,9 +120,9 @@ TEST_F(MatchPagesTest, TheBestRunIsOfferedAsLongAsThePlayerIsAlone) {
   match_.emplace(ClientOptions(), choice_, clock_);
   ASSERT_TRUE(waitUntil([&] {
     match_->update(false, idle);
-    return match_->play().level() != nullptr;
+    return match_->level() != nullptr;
   }));
-  EXPECT_EQ(match_->play().bestRun(), runsFolder() / name);
+  EXPECT_EQ(match_->bestRun(), runsFolder() / name);
   pages_.showPause(*match_);
   EXPECT_TRUE(shows("Watch"));
   MatchChoice guest;

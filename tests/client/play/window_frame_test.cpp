@@ -1,4 +1,4 @@
-#include "client/play/window_play.h"
+#include "client/play/title_screen.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,10 +52,10 @@ class WindowFrameTest : public WindowPlayTest {
   }
   // The bar at the left end of a row, which only the one with the focus has; in a window of 1280 × 720.
   std::vector<std::uint8_t> barOf(const Image& image, std::size_t row) const {
-    const MenuBox box = play_->menu().layout(font_).rows[row].box;
+    const MenuBox box = menu().layout(font_).rows[row].box;
     return pixelAt(image, {box.low.x + 2, (box.low.y + box.high.y) / 2});
   }
-  const Prediction& prediction() const { return play_->match()->play().client().session()->round()->prediction(); }
+  const Prediction& prediction() const { return match()->client().session()->round()->prediction(); }
   const PlayerState& player() const { return prediction().predicted().player(prediction().slot()); }
   // Rows with a focus above this one.
   static std::ptrdiff_t rowsAbove(const std::string& name) {
@@ -121,10 +121,10 @@ TEST_F(WindowFrameTest, TheNextTickHasAKeyAndTheFirstPictureAfterItShowsTheTick)
 
 TEST_F(WindowFrameTest, ASettingIsJudgedOnABallThatRunsWhileTheMatchStandsStill) {
   std::uint64_t hash = 0;
-  const auto previews = [this] { return play_->preview() != nullptr; };
-  const auto face = [this] { return play_->preview()->game().world().entities()[0].part; };
+  const auto previews = [this] { return desk_->preview() != nullptr; };
+  const auto face = [this] { return desk_->preview()->game().world().entities()[0].part; };
   play({{[] {}, [this] { return isOnGround() == std::optional(true); }},
-        {[] { tap(GLFW_KEY_ESCAPE); }, [this] { return play_->match()->paused(); }},
+        {[] { tap(GLFW_KEY_ESCAPE); }, [this] { return match()->paused(); }},
         {[&] {
            hash = prediction().confirmed().hash();
            clickOn("Settings");
@@ -138,7 +138,7 @@ TEST_F(WindowFrameTest, ASettingIsJudgedOnABallThatRunsWhileTheMatchStandsStill)
         {[] {}, [=] { return face() != 0; }},
         {[] {}, [=] { return face() == 0; }},
         {[&] {
-           EXPECT_TRUE(play_->match()->paused());
+           EXPECT_TRUE(match()->paused());
            EXPECT_EQ(prediction().confirmed().hash(), hash);
            tap(GLFW_KEY_DOWN);
          },
@@ -148,7 +148,7 @@ TEST_F(WindowFrameTest, ASettingIsJudgedOnABallThatRunsWhileTheMatchStandsStill)
 
 TEST_F(WindowFrameTest, AtTheTitleASettingIsJudgedOnABallThatRuns) {
   options_.level.clear();
-  const auto previews = [this] { return play_->preview() != nullptr; };
+  const auto previews = [this] { return desk_->preview() != nullptr; };
   play({{[] {}, [this] { return shows("Quit"); }},
         {[this] { clickOn("Settings"); }, [this] { return shows("Full screen"); }},
         {[] { tap(GLFW_KEY_DOWN, rowsAbove("Zoom")); }, [] { return true; }},

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "client/play/match/embedded_server.h"
-#include "client/play/match/match_play.h"
+#include "client/play/match/live_match.h"
 #include "client/replay/recording_facts.h"
 #include "client/replay/replay_file.h"
 #include "client/replay/run_store.h"
@@ -25,16 +25,16 @@ class WindowMatchTest : public WindowPlayTest {
   WindowMatchTest() { options_.level.clear(); }
 
   std::string levelTitle() const {
-    const auto level = play_->match() ? play_->match()->play().level() : nullptr;
+    const auto level = match() ? match()->level() : nullptr;
     return level ? level->title : "";
   }
   // The face of the own ball; nothing before the first round.
   std::optional<std::uint32_t> face() const {
     if (!isOnGround()) return std::nullopt;
-    const Prediction& prediction = play_->match()->play().client().session()->round()->prediction();
+    const Prediction& prediction = match()->client().session()->round()->prediction();
     return prediction.predicted().world().entities()[prediction.slot()].part;
   }
-  const Round* round() const { return isOnGround() ? play_->match()->play().client().session()->round() : nullptr; }
+  const Round* round() const { return isOnGround() ? match()->client().session()->round() : nullptr; }
   // Where the own ball is on its face; nothing before the first round.
   std::optional<Point> place() const {
     if (round() == nullptr) return std::nullopt;
@@ -52,8 +52,8 @@ class WindowMatchTest : public WindowPlayTest {
     std::filesystem::create_directories(runs);
     writeText(runs / RunStore::fileNameOf(level, readRecordingFacts(kRun).ticks.value()), readText(kRun));
   }
-  static bool hears(const MatchPlay& play, std::string_view end) {
-    const std::vector<std::string> chat = play.hudStatus(steadyClock().now(), false).chat;
+  static bool hears(const LiveMatch& match, std::string_view end) {
+    const std::vector<std::string> chat = match.hudStatus().chat;
     return std::any_of(chat.begin(), chat.end(), [&](const std::string& line) { return line.ends_with(end); });
   }
 };
@@ -73,14 +73,14 @@ TEST_F(WindowMatchTest, ALevelOfTheListIsPlayedOverAnEdge) {
 // Before, "Ghost floor" began without a word.
 TEST_F(WindowMatchTest, ALevelForTwoOfTheListIsHostedAndBeginsAnewWithTheGuest) {
   const std::string port = std::to_string(EmbeddedServer({{kLevel}}).address().port);  // that is free
-  std::optional<MatchPlay> guest;
+  std::optional<LiveMatch> guest;
   const auto guested = [&](bool done) {
-    guest->update(steadyClock().now(), [](const Game&, std::uint32_t) { return Input{}; });
+    guest->update(false, [](const Game&, std::uint32_t) { return Input{}; });
     return done;
   };
   const auto isSelected = [this](const std::string& name) {
-    for (const MenuRow& row : play_->menu().layout(font_).rows) {
-      if (row.item == play_->menu().focus()) return row.name.text == name;
+    for (const MenuRow& row : menu().layout(font_).rows) {
+      if (row.item == menu().focus()) return row.name.text == name;
     }
     return false;
   };
@@ -93,13 +93,13 @@ TEST_F(WindowMatchTest, ALevelForTwoOfTheListIsHostedAndBeginsAnewWithTheGuest) 
         {[&] { xdotool("type " + port); }, [] { return true; }},
         {[] { xdotool("key Down Down Return"); }, [this] { return inGame() && levelTitle() == "Hold the door"; }},
         {[] {}, [this] { return round() != nullptr && round()->id() == 1; }},
-        {[&] { guest.emplace(ClientOptions(), play_->match()->serverAddress(), steadyClock().now()); },
-         [&] { return guested(round() != nullptr && round()->id() == 2 && !play_->match()->alone()); }},
+        {[&] { guest.emplace(ClientOptions(), MatchChoice{.server = match()->serverAddress()}, steadyClock()); },
+         [&] { return guested(round() != nullptr && round()->id() == 2 && !match()->alone()); }},
         {[&] {
            EXPECT_EQ(levelTitle(), "Hold the door");
-           guest->leave(steadyClock());
+           guest->leave();
          },
-         [this] { return play_->match()->alone(); }},
+         [this] { return match()->alone(); }},
         {[] { xdotool("key v"); }, [this] { return levelTitle() == "Ghost floor"; }}});
   EXPECT_TRUE(stepsDone_);
 }
@@ -159,7 +159,7 @@ TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhos
         {[this] { clickOn("Replays"); }, [this] { return shows("Run and jump"); }},
         {[this] { clickOn("Run and jump"); }, [this] { return shows("Watch"); }},
         {[this] { clickOn("Watch"); }, [this] { return viewer() != nullptr && player().tick() > 10; }},
-        {[] { xdotool("key Escape"); }, [this] { return play_->replay() == nullptr && shows("Watch"); }},
+        {[] { xdotool("key Escape"); }, [this] { return replay() == nullptr && shows("Watch"); }},
         {[] { xdotool("key Escape Escape"); }, [this] { return shows("Join a server"); }},
         {[this] { clickOn("Join a server"); }, [this] { return shows("Address"); }},
         {[&] { xdotool("type " + address); }, [] { return true; }},
@@ -167,7 +167,7 @@ TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhos
         {[] { xdotool("keydown Right"); }, [this] { return timer() > 60U; }},
         {[] { xdotool("keyup Right"); }, [] { return true; }},
         {[&] {
-           EXPECT_EQ(play_->match()->play().hudStatus({}, false).run.best, double{1} * runTicks / kTicksPerSecond);
+           EXPECT_EQ(match()->hudStatus().run.best, double{1} * runTicks / kTicksPerSecond);
            before = confirmed();
            xdotool("key Escape");
          },
@@ -183,7 +183,7 @@ TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhos
            hash = round()->prediction().confirmed().hash();
            clickOn("Leave to the title");
          },
-         [this] { return play_->match() == nullptr; }}});
+         [this] { return match() == nullptr; }}});
   ASSERT_TRUE(stepsDone_);
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(), 0);
@@ -206,9 +206,9 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
   const std::string address = "127.0.0.1:" + std::to_string(server.address().port);
   ClientOptions named;
   named.name = "Grace";
-  MatchPlay grace(named, server.address(), steadyClock().now());
+  LiveMatch grace(named, {.server = server.address()}, steadyClock());
   const auto meanwhile = [&](bool done) {
-    grace.update(steadyClock().now(), [](const Game&, std::uint32_t) { return Input{}; });
+    grace.update(false, [](const Game&, std::uint32_t) { return Input{}; });
     return done;
   };
   play({{[] {}, [&] { return meanwhile(shows("Join a server") && server.players() == 1); }},
@@ -221,32 +221,34 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
         {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Wave")); }},
         {[this] { clickOn("Wave"); }, [&] { return meanwhile(hears(grace, " waves")); }},
         {[&] {
-           EXPECT_TRUE(grace.say({"well done", 0}, steadyClock().now()));
+           EXPECT_TRUE(grace.say({"well done", 0}));
          },
-         [&] { return meanwhile(hears(play_->match()->play(), "Grace: well done")); }},
+         [&] { return meanwhile(hears(*match(), "Grace: well done")); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(notes("Grace: well done")); }},
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(inGame()); }},
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(shows("Leave to the title")); }},
         {[this] { clickOn("Leave to the title"); },
-         [&] { return meanwhile(play_->match() == nullptr && server.players() == 1); }}});
+         [&] { return meanwhile(match() == nullptr && server.players() == 1); }}});
   EXPECT_TRUE(stepsDone_);
 }
 
 TEST_F(WindowMatchTest, WhoJoinsEndsTheReplayInFrontOfTheGame) {
   options_.level = kRunLevel;
   keepBestRun();
-  std::optional<MatchPlay> grace;
-  const auto join = [&] { grace.emplace(ClientOptions(), play_->match()->serverAddress(), steadyClock().now()); };
-  const auto update = [&] { grace->update(steadyClock().now(), [](const Game&, std::uint32_t) { return Input{}; }); };
+  std::optional<LiveMatch> grace;
+  const auto join = [&] {
+    grace.emplace(ClientOptions(), MatchChoice{.server = match()->serverAddress()}, steadyClock());
+  };
+  const auto update = [&] { grace->update(false, [](const Game&, std::uint32_t) { return Input{}; }); };
   play({{[] {}, [this] { return inGame() && isOnGround() == std::optional(true); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
         {[this] { clickOn("Watch your best run"); }, [this] { return viewer() != nullptr && player().tick() > 10; }},
         {join,
          [&] {
            update();
-           return !play_->match()->alone() && play_->replay() == nullptr && shows("Leave to the title");
+           return !match()->alone() && replay() == nullptr && shows("Leave to the title");
          }},
-        {[] {}, [this] { return !shows("Watch your best run") && !play_->match()->paused(); }}});
+        {[] {}, [this] { return !shows("Watch your best run") && !match()->paused(); }}});
   EXPECT_TRUE(stepsDone_);
 }
 

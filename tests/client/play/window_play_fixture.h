@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include "client/play/window_play.h"
+#include "client/play/game_desk.h"
+#include "client/play/match_screen.h"
+#include "client/play/replay_screen.h"
+#include "client/play/screen.h"
+#include "client/play/title_screen.h"
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
@@ -36,17 +41,21 @@ class WindowPlayTest : public testing::Test {
   // Plays until the player leaves or all steps are done.
   void play(std::vector<WindowStep> steps) {
     const Moment start = steadyClock().now();  // before the time limit of the options begins
-    WindowPlay play(options_, steadyClock());
-    play_ = &play;
-    stepsDone_ = runSteps(play, std::move(steps));
-    timeIsUp_ = toSeconds(steadyClock().now() - start) >= options_.seconds.value_or(kLimit);
+    GameDesk desk(options_, steadyClock());
+    ScreenStack screens(std::make_unique<TitleScreen>(desk));
+    desk_ = &desk;
+    screens_ = &screens;
+    const double limit = options_.seconds.value_or(kLimit);
+    stepsDone_ = runSteps(screens, desk.window, limit, std::move(steps));
+    timeIsUp_ = toSeconds(steadyClock().now() - start) >= limit;
+    if (desk.named.failure) throw ProgramError(*desk.named.failure);
   }
 
   std::string savedSettings() const { return readText(folder_ / "platon/settings"); }
 
   // Clicks on an item of the menu, which is in a window of 1280 × 720.
   void click(std::size_t item) const {
-    for (const MenuRow& row : play_->menu().layout(font_).rows) {
+    for (const MenuRow& row : menu().layout(font_).rows) {
       if (row.item == item) clickOn(row.box);
     }
   }
@@ -58,28 +67,28 @@ class WindowPlayTest : public testing::Test {
   }
   // Clicks on the item with this name.
   void clickOn(const std::string& name) const {
-    for (const MenuRow& row : play_->menu().layout(font_).rows) {
+    for (const MenuRow& row : menu().layout(font_).rows) {
       if (row.name.text == name) return click(row.item);
     }
   }
   bool shows(const std::string& name) const {
-    if (!play_->menu().isOpen()) return false;
-    for (const MenuRow& row : play_->menu().layout(font_).rows) {
+    if (!menu().isOpen()) return false;
+    for (const MenuRow& row : menu().layout(font_).rows) {
       if (row.name.text == name) return true;
     }
     return false;
   }
   // Whether the menu shows a paragraph that begins with this text.
   bool notes(const std::string& start) const {
-    if (!play_->menu().isOpen()) return false;
-    for (const MenuLine& note : play_->menu().layout(font_).notes) {
+    if (!menu().isOpen()) return false;
+    for (const MenuLine& note : menu().layout(font_).notes) {
       if (note.text.starts_with(start)) return true;
     }
     return false;
   }
   // Whether the own ball stands on something. Nothing before the first round.
   std::optional<bool> isOnGround() const {
-    const Session* const session = play_->match() ? play_->match()->play().client().session() : nullptr;
+    const Session* const session = match() ? match()->client().session() : nullptr;
     if (session == nullptr || session->round() == nullptr) return std::nullopt;
     const Prediction& prediction = session->round()->prediction();
     const Game& game = prediction.predicted();
@@ -88,7 +97,7 @@ class WindowPlayTest : public testing::Test {
   }
   // Ticks of the round that the server has confirmed; 0 before the first round.
   std::uint32_t confirmedTicks() const {
-    const Session* const session = play_->match() ? play_->match()->play().client().session() : nullptr;
+    const Session* const session = match() ? match()->client().session() : nullptr;
     return session && session->round() ? session->round()->prediction().confirmedTicks() : 0;
   }
   // Puts a recording where those of friends are.
@@ -108,17 +117,27 @@ class WindowPlayTest : public testing::Test {
             {[] { xdotool("key Escape"); }, [this] { return shows("Quit"); }},
             {[this] { clickOn("Play"); }, [this] { return isOnGround() == std::optional(true); }}};
   }
-  const ReplayViewer* viewer() const { return play_->replay() == nullptr ? nullptr : play_->replay()->viewer(); }
+  const Menu& menu() const { return desk_->menu; }
+  // The present match; null if there is none.
+  const LiveMatch* match() const {
+    const auto* const screen = screens_->find<MatchScreen>();
+    return screen == nullptr ? nullptr : &screen->match();
+  }
+  // The recording that is shown; null if there is none.
+  const ReplayScreen* replay() const { return screens_->find<ReplayScreen>(); }
+  const ReplayViewer* viewer() const { return replay() == nullptr ? nullptr : replay()->viewer(); }
   const ReplayPlayer& player() const { return viewer()->player(); }
-  bool inGame() const { return play_->match() != nullptr && !play_->menu().isOpen(); }
+  bool inGame() const { return match() != nullptr && !menu().isOpen(); }
 
   static constexpr double kLimit = 300;  // s
   const Font font_{};
   ClientOptions options_;
-  const WindowPlay* play_ = nullptr;
+  const GameDesk* desk_ = nullptr;
+  const ScreenStack* screens_ = nullptr;
   const TemporaryFolder folder_;
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
   const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path()};
+  const EnvironmentVariable cache_{"XDG_CACHE_HOME", folder_ / "cache"};
   const EnvironmentVariable state_{"XDG_STATE_HOME", folder_.path()};
   const EnvironmentVariable pictures_{"XDG_PICTURES_DIR", folder_.path()};
   testing::AssertionResult stepsDone_ = testing::AssertionFailure();

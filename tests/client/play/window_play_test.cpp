@@ -1,4 +1,4 @@
-#include "client/play/window_play.h"
+#include "client/play/title_screen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +91,7 @@ TEST_F(WindowPlayTest, AWindowOfOnePixelGoesOnAndComesBackInTheTitleInAReplayAnd
 }
 
 TEST_F(WindowPlayTest, TheMenuLeadsToTheTitleAndTheTitleQuits) {
-  play({{[] { xdotool("key Escape Up Return"); }, [this] { return play_->match() == nullptr; }},
+  play({{[] { xdotool("key Escape Up Return"); }, [this] { return match() == nullptr; }},
         {[] { xdotool("key Up Return"); }, [] { return false; }}});
   EXPECT_FALSE(timeIsUp_);
   EXPECT_EQ(savedSettings(), Settings().text());
@@ -99,7 +99,7 @@ TEST_F(WindowPlayTest, TheMenuLeadsToTheTitleAndTheTitleQuits) {
 
 TEST_F(WindowPlayTest, WithoutALevelItStartsAtTheTitleAndPlays) {
   options_.level.clear();
-  play({{[] {}, [this] { return play_->match() == nullptr && play_->menu().isOpen(); }},
+  play({{[] {}, [this] { return match() == nullptr && menu().isOpen(); }},
         {[] { xdotool("key Return"); }, [this] { return inGame(); }}});
   EXPECT_TRUE(stepsDone_);
 }
@@ -108,17 +108,17 @@ TEST_F(WindowPlayTest, AServerThatDoesNotAnswerIsReportedOnTheScreenAndAtTheEnd)
   options_.level.clear();
   options_.seconds.reset();
   options_.server = ServerAddress{"127.0.0.1", 1};
-  const auto failed = [this] { return play_->menu().isOpen(); };
+  const auto failed = [this] { return menu().isOpen(); };
   EXPECT_THROW(play({{[] {}, failed},
                      {[] { xdotool("key Return"); }, [this] { return inGame(); }},
                      {[] {}, failed},
-                     {[] { xdotool("key Escape"); }, [this] { return play_->match() == nullptr; }}}),
+                     {[] { xdotool("key Escape"); }, [this] { return match() == nullptr; }}}),
                ProgramError);
 }
 
 TEST_F(WindowPlayTest, WithATimeLimitAFailureEndsTheProgram) {
   options_.level = "no_such.level";
-  EXPECT_THROW(WindowPlay(options_, steadyClock()), ProgramError);
+  EXPECT_THROW(play({}), ProgramError);
 }
 
 TEST_F(WindowPlayTest, AnInvalidLevelIsReportedOnTheScreen) {
@@ -126,7 +126,7 @@ TEST_F(WindowPlayTest, AnInvalidLevelIsReportedOnTheScreen) {
   options_.seconds.reset();
   writeText(options_.level, "CUBE\n");
   try {
-    play({{[] {}, [this] { return play_->menu().isOpen() && play_->match() == nullptr; }}});
+    play({{[] {}, [this] { return menu().isOpen() && match() == nullptr; }}});
     FAIL();
   } catch (const ProgramError& error) {
     EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
@@ -154,13 +154,13 @@ TEST_F(WindowPlayTest, AGamepadThatIsUnpluggedPausesAndIsUsedAgainWhenItIsPlugge
   const auto push = [](int button) { fakeGamepad.emplace().buttons[button] = GLFW_PRESS; };
   play({{[] {}, [this] { return isOnGround() == std::optional(true); }},
         {[=] { push(GLFW_GAMEPAD_BUTTON_A); }, [this] { return isOnGround() == std::optional(false); }},
-        {[] { fakeGamepad.reset(); }, [this] { return shows("Resume") && play_->match()->paused(); }},
+        {[] { fakeGamepad.reset(); }, [this] { return shows("Resume") && match()->paused(); }},
         {[=] { push(GLFW_GAMEPAD_BUTTON_A); }, [this] { return inGame(); }}});
   EXPECT_TRUE(stepsDone_);
 }
 
 TEST_F(WindowPlayTest, TheMouseChoosesAndChanges) {
-  play({{[] { xdotool("key Escape"); }, [this] { return play_->menu().isOpen(); }},
+  play({{[] { xdotool("key Escape"); }, [this] { return menu().isOpen(); }},
         {[this] { click(kSettingsItem); }, [this] { return shows("Full screen"); }},
         {[this] { click(1); }, isFullscreen}});
   EXPECT_TRUE(stepsDone_);
@@ -177,7 +177,7 @@ TEST_F(WindowPlayTest, TheMouseGoesBackByItsButtonsAndByTheMark) {
         {[this] { clickOn("Levels"); }, inLevels},
         {[&] { xdotool(onPicture + "8"); }, atTitle},
         {[this] { clickOn("Levels"); }, inLevels},
-        {[this] { clickOn(play_->menu().layout(font_).back.box); }, atTitle}});
+        {[this] { clickOn(menu().layout(font_).back.box); }, atTitle}});
   EXPECT_TRUE(stepsDone_);
 }
 
@@ -185,7 +185,7 @@ TEST_F(WindowPlayTest, AloneTheMenuPausesTheGame) {
   std::uint32_t ticks = 0;
   int frames = 0;
   play({{[] {}, [&] { return confirmedTicks() > 30; }},
-        {[] { xdotool("key Escape"); }, [this] { return play_->match()->paused(); }},
+        {[] { xdotool("key Escape"); }, [this] { return match()->paused(); }},
         {[&] { frames = 0; },
          [&] {
            if (++frames == 10) ticks = confirmedTicks();
@@ -244,7 +244,7 @@ TEST_F(WindowPlayTest, TheTitleTellsThatLinesOfTheSettingsAreInvalid) {
   play({{[] {},
          [&] {
            return shows("Quit") &&
-                  play_->told() == "1 line of " + file + " is invalid; the old file is kept as " + file + ".broken";
+                  desk_->told() == "1 line of " + file + " is invalid; the old file is kept as " + file + ".broken";
          }}});
   EXPECT_TRUE(stepsDone_);
   EXPECT_EQ(readText(file + ".broken"), "key jump spcae\n");
@@ -255,7 +255,7 @@ TEST_F(WindowPlayTest, ASavedPictureIsToldInTheTitleInAReplayAndInTheGame) {
   keepRecording("Anna.recording");
   const auto press = [this](int number) {
     const std::string file = (folder_ / ("platon-000" + std::to_string(number) + ".png")).string();
-    return WindowStep{[] { xdotool("key F12"); }, [this, file] { return play_->told() == "picture saved: " + file; }};
+    return WindowStep{[] { xdotool("key F12"); }, [this, file] { return desk_->told() == "picture saved: " + file; }};
   };
   std::vector<WindowStep> steps{press(1)};
   for (WindowStep& step : toReplay()) steps.push_back(std::move(step));
@@ -286,7 +286,7 @@ TEST_F(WindowPlayTest, AReplayIsWatchedFromTheTitleAndLeadsBack) {
         {[] { xdotool("key plus plus"); }, [this] { return player().speed() == 4; }},
         {[] { xdotool("key F11"); }, isFullscreen},
         {[] { xdotool("key F11"); }, [] { return !isFullscreen(); }},
-        {[] { xdotool("key Escape"); }, [this] { return play_->replay() == nullptr && shows("Watch"); }},
+        {[] { xdotool("key Escape"); }, [this] { return replay() == nullptr && shows("Watch"); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Hexahedron"); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Quit"); }}});
   EXPECT_TRUE(stepsDone_);
@@ -364,8 +364,8 @@ TEST_F(WindowPlayTest, ADroppedRecordingIsPlayedButNotDuringAGame) {
   };
   int frames = 0;
   play({{drop, [&] { return ++frames == 3; }},
-        {[this] { EXPECT_EQ(play_->replay(), nullptr); }, [] { return true; }},
-        {[] { xdotool("key Escape Up Return"); }, [this] { return play_->match() == nullptr; }},
+        {[this] { EXPECT_EQ(replay(), nullptr); }, [] { return true; }},
+        {[] { xdotool("key Escape Up Return"); }, [this] { return match() == nullptr; }},
         {drop, [this] { return viewer() != nullptr; }}});
   EXPECT_TRUE(stepsDone_);
 }
@@ -379,19 +379,19 @@ TEST_F(WindowPlayTest, TheBestRunIsWatchedInAPauseAndLeadsBackToIt) {
   play({{[] {}, [this] { return isOnGround().has_value(); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
         {[] { xdotool("key Down Down Down Return"); }, [this] { return viewer() && player().tick() > 10; }},
-        {[] {}, [this] { return play_->match()->paused(); }},
+        {[] {}, [this] { return match()->paused(); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
-        {[] { xdotool("key Escape"); }, [this] { return inGame() && !play_->match()->paused(); }}});
+        {[] { xdotool("key Escape"); }, [this] { return inGame() && !match()->paused(); }}});
   EXPECT_TRUE(stepsDone_);
 }
 
 TEST_F(WindowPlayTest, AloneAnUnfinishedLevelIsLeftAtTheSecondWish) {
   const auto round = [this] {
-    const Session* const session = play_->match()->play().client().session();
+    const Session* const session = match()->client().session();
     return session && session->round() ? session->round()->id() : 0;
   };
   int frames = 0;
-  play({{[] {}, [&] { return round() == 1 && play_->match()->alone(); }},
+  play({{[] {}, [&] { return round() == 1 && match()->alone(); }},
         {[] { xdotool("key v key Left key v"); }, [&] { return ++frames == 30; }},
         {[&] {
            EXPECT_EQ(round(), 1U) << "another key takes the wish back";

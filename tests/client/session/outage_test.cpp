@@ -8,13 +8,15 @@
 #include <string_view>
 
 #include "client/net/lossy_relay.h"
-#include "client/play/match/match_play.h"
+#include "client/play/match/live_match.h"
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/to_client.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "server/net/host.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 
 namespace platon::outage_test {
@@ -142,23 +144,26 @@ TEST_F(Outage, ResumesWithinASecondAfterTotalLoss) {
 // The last scene is also shown between Welcome and the full state, when the new round has no player yet.
 TEST_F(Outage, ShowsTheLastSceneUntilThePlayerIsResumed) {
   relay_.emplace(address(), delayed(), 1);
-  MatchPlay play(ClientOptions(), relay_->address(), now_);
+  const TemporaryFolder folder;
+  const EnvironmentVariable data("XDG_DATA_HOME", folder.path().string());
+  const EnvironmentVariable cache("XDG_CACHE_HOME", folder.path().string());
+  LiveMatch match(ClientOptions(), {.server = relay_->address()}, {[this] { return now_; }, [](Moment) {}});
   const auto showsThePlayer = [&] {
     step();
-    play.update(now_, kRight);
-    const std::optional<Scene> scene = play.scene(now_);
+    match.update(false, kRight);
+    const std::optional<Scene> scene = match.scene();
     return scene && !scene->players.empty() && scene->players.back().local;
   };
   const Moment settled = now_ + seconds(1);
   while (now_ < settled) showsThePlayer();
   for (const int ms : {500, 507, 514}) {
     relay_->setQuality(fullLoss());
-    while (!play.client().outage()) ASSERT_TRUE(showsThePlayer());
+    while (!match.client().outage()) ASSERT_TRUE(showsThePlayer());
     relay_->setQuality(delayed());
-    while (play.client().outage()) ASSERT_TRUE(showsThePlayer());
+    while (match.client().outage()) ASSERT_TRUE(showsThePlayer());
     for (const Moment end = now_ + milliseconds(ms); now_ < end;) ASSERT_TRUE(showsThePlayer());
   }
-  EXPECT_EQ(play.client().resumes(), 3u);
+  EXPECT_EQ(match.client().resumes(), 3u);
 }
 
 TEST_F(Outage, IsDetectedByTimeout) {

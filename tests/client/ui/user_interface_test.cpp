@@ -1,5 +1,9 @@
 #include "client/ui/user_interface.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace platon::user_interface_test {
@@ -7,11 +11,11 @@ namespace {
 
 using Kind = KeyEvent::Kind;
 
-void tap(UserInterface& interface, Key key, int times = 1, bool menuOpen = false) {
-  for (int i = 0; i < times; ++i) {
-    interface.handle({key, Kind::kPress}, menuOpen);
-    interface.handle({key, Kind::kRelease}, menuOpen);
-  }
+// Returns what the press asks for.
+std::optional<Action> tap(UserInterface& interface, Key key, bool menuOpen = false) {
+  const std::optional<Action> action = interface.handle({key, Kind::kPress}, menuOpen);
+  EXPECT_EQ(interface.handle({key, Kind::kRelease}, menuOpen), std::nullopt);
+  return action;
 }
 
 TEST(UserInterface, APressInTheMenuIsNoJumpAfterIt) {
@@ -44,21 +48,15 @@ TEST(UserInterface, NoControlIsHeldWhileTheMenuIsOpen) {
 TEST(UserInterface, AsksOnceForTheMenu) {
   for (const Key key : {Key::kEscape, Key::kPadStart}) {
     UserInterface interface { Settings() };
-    EXPECT_FALSE(interface.takeMenu());
-    tap(interface, key);
-    EXPECT_TRUE(interface.takeMenu());
-    EXPECT_FALSE(interface.takeMenu());
-    tap(interface, key, 1, true);
-    EXPECT_FALSE(interface.takeMenu()) << "in the menu the key belongs to the menu";
+    EXPECT_EQ(tap(interface, key), Action::kOpenMenu);
+    EXPECT_EQ(tap(interface, key, true), std::nullopt) << "in the menu the key belongs to the menu";
   }
 }
 
 TEST(UserInterface, F12AsksForThePictureEverywhere) {
   for (const bool menuOpen : {false, true}) {
     UserInterface interface { Settings() };
-    tap(interface, Key::kF12, 1, menuOpen);
-    EXPECT_TRUE(interface.takePicture());
-    EXPECT_FALSE(interface.takePicture());
+    EXPECT_EQ(tap(interface, Key::kF12, menuOpen), Action::kTakePicture);
   }
 }
 
@@ -95,34 +93,14 @@ TEST(UserInterface, FunctionKeysToggle) {
   }
 }
 
-TEST(UserInterface, TheVoteChangesWithEachPressWhileTheMenuIsClosed) {
+TEST(UserInterface, ThePlayerVotesGoesOnAndTalksWhileTheMenuIsClosed) {
   UserInterface interface { Settings() };
-  EXPECT_FALSE(interface.takeVote());
-  tap(interface, Key::kV);
-  EXPECT_TRUE(interface.takeVote());
-  EXPECT_FALSE(interface.takeVote());
-  tap(interface, Key::kV, 2);
-  EXPECT_FALSE(interface.takeVote()) << "taken back";
-  tap(interface, Key::kV, 1, true);
-  EXPECT_FALSE(interface.takeVote());
-}
-
-TEST(UserInterface, EnterAsksToGoOnWhileTheMenuIsClosed) {
-  UserInterface interface { Settings() };
-  tap(interface, Key::kEnter);
-  EXPECT_TRUE(interface.takeGoOn());
-  EXPECT_FALSE(interface.takeGoOn());
-  tap(interface, Key::kEnter, 1, true);
-  EXPECT_FALSE(interface.takeGoOn());
-}
-
-TEST(UserInterface, ThePlayerTalksWhileTheMenuIsClosed) {
-  UserInterface interface { Settings() };
-  tap(interface, Key::kT);
-  EXPECT_TRUE(interface.takeSay());
-  EXPECT_FALSE(interface.takeSay());
-  tap(interface, Key::kT, 1, true);
-  EXPECT_FALSE(interface.takeSay());
+  const std::vector<std::pair<Key, Action>> actions{
+      {Key::kV, Action::kToggleVote}, {Key::kEnter, Action::kGoOn}, {Key::kT, Action::kSay}};
+  for (const auto& [key, action] : actions) {
+    EXPECT_EQ(tap(interface, key), action);
+    EXPECT_EQ(tap(interface, key, true), std::nullopt);
+  }
 }
 
 TEST(UserInterface, StartsWithTheGivenSettings) {

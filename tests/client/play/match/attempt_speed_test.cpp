@@ -1,4 +1,4 @@
-#include "client/play/match/attempt_speed.h"
+#include "client/play/match/live_match.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "client/play/match/scene_feed.h"
+#include "client/play/match/session_feeds.h"
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 

@@ -1,4 +1,4 @@
-#include "client/play/match/net_meter.h"
+#include "client/play/match/session_feeds.h"
 
 #include <chrono>
 

@@ -1,4 +1,4 @@
-#include "client/play/match/server_lines.h"
+#include "client/play/match/live_match.h"
 
 #include <gtest/gtest.h>
 

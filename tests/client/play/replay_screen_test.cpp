@@ -1,4 +1,4 @@
-#include "client/play/replay_play.h"
+#include "client/play/replay_screen.h"
 
 #include <algorithm>
 #include <string>
@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon::replay_play_test {
+namespace platon::replay_screen_test {
 namespace {
 
 constexpr const char* kRecording = "tests/determinism/golden/hexahedron.recording";
@@ -46,11 +46,9 @@ TEST(ReplayPlay, PlaysWhenTheFileHasBeenRead) {
 TEST(ReplayPlay, EscapeAndTheGamepadLeaveAlsoWhileTheFileIsRead) {
   for (const Key key : {Key::kEscape, Key::kPadB, Key::kPadStart}) {
     ReplayPlay play(kRecording);
-    play.handle(KeyEvent{.key = Key::kTab});
-    play.handle(KeyEvent{.key = key, .kind = KeyEvent::Kind::kRelease});
-    EXPECT_FALSE(play.leaving());
-    play.handle(KeyEvent{.key = key});
-    EXPECT_TRUE(play.leaving());
+    EXPECT_FALSE(play.handle(KeyEvent{.key = Key::kTab}));
+    EXPECT_FALSE(play.handle(KeyEvent{.key = key, .kind = KeyEvent::Kind::kRelease}));
+    EXPECT_TRUE(play.handle(KeyEvent{.key = key}));
   }
 }
 
@@ -59,10 +57,8 @@ TEST(ReplayPlay, TheMouseLeaves) {
   const GameView view(320, 180);
   for (const PointerEvent::Button button : {PointerEvent::Button::kRight, PointerEvent::Button::kBack}) {
     ReplayPlay play(kRecording);
-    play.handle({.kind = PointerEvent::Kind::kRelease, .button = button}, view, Settings());
-    EXPECT_FALSE(play.leaving());
-    play.handle({.kind = PointerEvent::Kind::kPress, .button = button}, view, Settings());
-    EXPECT_TRUE(play.leaving());
+    EXPECT_FALSE(play.handle({.kind = PointerEvent::Kind::kRelease, .button = button}, view, Settings()));
+    EXPECT_TRUE(play.handle({.kind = PointerEvent::Kind::kPress, .button = button}, view, Settings()));
   }
 }
 
@@ -104,4 +100,4 @@ TEST(ReplayPlay, AtTheGoalTheMedalIsShown) {
 }
 
 }  // namespace
-}  // namespace platon::replay_play_test
+}  // namespace platon::replay_screen_test

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "client/gl/game_view.h"
+#include "client/menu/menu_page.h"
+#include "client/play/game_desk.h"
+#include "client/play/screen.h"
 #include "client/replay/replay_viewer.h"
 #include "client/ui/medal.h"
 #include "client/ui/settings.h"
@@ -24,7 +30,7 @@ struct ReplayContext {
 void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds,
                 const ReplayContext& context = {});
 
-/// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile; the end of
+/// A recording that is watched. A thread reads it, so that the window stays alive meanwhile; the end of
 /// this object waits at most for the present MiB, block or tick of the recording.
 class ReplayPlay {
  public:
@@ -39,8 +45,9 @@ class ReplayPlay {
   void advance(double seconds);
   /// Shows the picture after so many seconds. The file has been read.
   void skipTo(double seconds) { viewer_->skipTo(seconds); }
-  void handle(const KeyEvent& event);
-  void handle(PointerEvent event, const GameView& view, const Settings& settings);
+  /// These two return whether the viewer wants to leave.
+  bool handle(const KeyEvent& event);
+  bool handle(PointerEvent event, const GameView& view, const Settings& settings);
   void draw(GameView& view, const Settings& settings, double seconds, const ReplayContext& context = {}) const;
 
   const std::filesystem::path& file() const { return file_; }
@@ -48,8 +55,6 @@ class ReplayPlay {
   std::string readingText() const;
   /// Why the recording cannot be played, a sentence; empty: it can, as far as is known.
   const std::string& fault() const { return fault_; }
-  /// Whether the viewer wants to leave.
-  bool leaving() const { return leaving_; }
   /// Null while the file is being read, and if it cannot be played.
   const ReplayViewer* viewer() const { return viewer_ ? &*viewer_ : nullptr; }
 
@@ -63,7 +68,40 @@ class ReplayPlay {
   Worker<Read> reading_;
   std::optional<ReplayViewer> viewer_;
   std::string fault_;
-  bool leaving_ = false;
 };
+
+/// Tells the player why a recording that is dropped on a match is not watched.
+inline constexpr const char* kDropRefused = "leave the game to watch a recording";
+
+/// A recording in the window of the program, in front of the title or of a match that stands still.
+class ReplayScreen : public Screen {
+ public:
+  enum class Behind : std::uint8_t { kTitle, kMatch };
+
+  /// `desk` outlives the screen.
+  ReplayScreen(GameDesk& desk, const std::filesystem::path& file, MedalsOf medalsOf, Behind behind)
+      : desk_(&desk), play_(file), medalsOf_(std::move(medalsOf)), behind_(behind) {}
+
+  Next handle(const WindowEvent& event) override;
+  Next update(const Frame& frame) override;
+  void draw(const Frame& frame) override;
+  Moment frameTime() const override { return desk_->frameTime(false); }
+
+  /// Null while the file is being read.
+  const ReplayViewer* viewer() const { return play_.viewer(); }
+
+ private:
+  Next handleKey(const KeyEvent& event);
+  Next drop(const std::filesystem::path& file);
+
+  GameDesk* desk_;
+  ReplayPlay play_;
+  MedalsOf medalsOf_;
+  Behind behind_;
+  std::optional<std::optional<MedalTimes>> medals_;  // of the level, since the file has been read
+};
+
+/// The page for a recording that cannot be played: the player can try it again, or go back.
+MenuPage unplayablePage(const ReplayEnd& end, const std::function<void()>& retry, const std::function<void()>& back);
 
 }  // namespace platon

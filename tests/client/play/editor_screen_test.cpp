@@ -1,4 +1,4 @@
-#include "client/play/edit_play.h"
+#include "client/play/editor_screen.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,9 @@
 
 #include <GLFW/glfw3.h>
 
+#include "client/files/settings_file.h"
+#include "client/files/user_folders.h"
+#include "client/gl/offscreen.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "tests/client/gl/desktop.h"
@@ -23,7 +26,7 @@
 #include "tests/support/temporary_folder.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
-namespace platon::edit_play_test {
+namespace platon::editor_screen_test {
 namespace {
 
 constexpr std::string_view kClosedRoom = R"(HEXAHEDRON
@@ -42,20 +45,18 @@ constexpr std::string_view kClosedRoom = R"(HEXAHEDRON
 %
 )";
 
-class EditPlayTest : public testing::Test {
+class EditorScreenTest : public testing::Test {
  protected:
-  EditPlayTest() {
-    options_.edit = path_.string();
-    options_.seconds = 300;  // a test that does not end by itself fails
-  }
-
   // Edits until the user leaves or all steps are done. Returns whether all steps were done, as `runSteps`.
   testing::AssertionResult edit(std::vector<WindowStep> steps) {
-    EditPlay play(options_, steadyClock());
-    play_ = &play;
+    EditSession session(path_.string(), SolidKind::kHexahedron);
+    editor_ = &session.editor();
+    Window window = openWindow("");
+    const Settings settings = SettingsFile(configFolder()).load();
+    ScreenStack screens(std::make_unique<EditorScreen>(session, window, settings, ""));
     const Moment start = steadyClock().now();
-    testing::AssertionResult allDone = runSteps(play, std::move(steps));
-    timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
+    testing::AssertionResult allDone = runSteps(screens, window, kLimit, std::move(steps));
+    timeIsUp_ = toSeconds(steadyClock().now() - start) >= kLimit;
     return allDone;
   }
 
@@ -66,7 +67,7 @@ class EditPlayTest : public testing::Test {
     writeText(folder_ / "platon/settings", settings);
     Image image;
     int frames = 0;
-    const auto isFound = [this] { return play_->editor().status().report.finished; };
+    const auto isFound = [this] { return editor_->status().report.finished; };
     EXPECT_TRUE(edit({{[] {}, isFound},
                       {[&] { onPicture = [&image] { image = backBuffer(); }; }, [&frames] { return ++frames == 3; }}}));
     onPicture = {};
@@ -77,14 +78,14 @@ class EditPlayTest : public testing::Test {
     return std::filesystem::exists(path_) && readText(path_).find(text) != std::string::npos;
   }
 
+  static constexpr double kLimit = 300;  // s: a test that does not end by itself fails
   const TemporaryFolder folder_;
   const std::filesystem::path path_ = folder_ / "02_new_room.level";
-  ClientOptions options_;
-  const EditPlay* play_ = nullptr;
+  const Editor* editor_ = nullptr;
   bool timeIsUp_ = false;
 };
 
-TEST_F(EditPlayTest, ASegmentIsDrawnAndSavedIntoANewFile) {
+TEST_F(EditorScreenTest, ASegmentIsDrawnAndSavedIntoANewFile) {
   EXPECT_TRUE(edit({{[] {
                        xdotool(
                            "key d mousemove 500 470 mousedown 1 mousemove --sync 600 470 mousemove --sync 700 480 "
@@ -98,30 +99,30 @@ TEST_F(EditPlayTest, ASegmentIsDrawnAndSavedIntoANewFile) {
   EXPECT_EQ(segments, 2U) << readText(path_);
 }
 
-TEST_F(EditPlayTest, LeavingWithUnsavedChangesAsks) {
+TEST_F(EditorScreenTest, LeavingWithUnsavedChangesAsks) {
   edit({{[] { xdotool("key Escape Down Return"); }, [] { return false; }}});
   EXPECT_FALSE(timeIsUp_);
   EXPECT_TRUE(fileHas("HEXAHEDRON")) << "saved and left";
 }
 
-TEST_F(EditPlayTest, ClosingTheWindowAsksToo) {
-  edit({{[] { xdotool("key alt+F4"); }, [this] { return play_->editor().menu().isOpen(); }},
+TEST_F(EditorScreenTest, ClosingTheWindowAsksToo) {
+  edit({{[] { xdotool("key alt+F4"); }, [this] { return editor_->menu().isOpen(); }},
         {[] { xdotool("key Up Return"); }, [] { return false; }}});
   EXPECT_FALSE(timeIsUp_);
   EXPECT_FALSE(std::filesystem::exists(path_)) << "left without saving";
 }
 
-TEST_F(EditPlayTest, AChangedFileIsReadAgain) {
+TEST_F(EditorScreenTest, AChangedFileIsReadAgain) {
   std::filesystem::copy_file("levels/data/hexahedron/01_run_and_jump.level", path_);
   const std::string text = readText(path_) + "# more\n";
-  EXPECT_TRUE(edit({{[&] { writeText(path_, text); }, [&] { return play_->editor().level().text() == text; }}}));
+  EXPECT_TRUE(edit({{[&] { writeText(path_, text); }, [&] { return editor_->level().text() == text; }}}));
 }
 
-TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
+TEST_F(EditorScreenTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
   const std::string text = readText("levels/data/hexahedron/01_run_and_jump.level");
   writeText(path_, text);
-  const auto drawn = [&] { return play_->editor().level().unsaved(); };
-  const auto refuses = [&] { return play_->editor().status().message.find("save again") != std::string::npos; };
+  const auto drawn = [&] { return editor_->level().unsaved(); };
+  const auto refuses = [&] { return editor_->status().message.find("save again") != std::string::npos; };
   EXPECT_TRUE(edit({{[] { xdotool("key d mousemove 500 400 mousedown 1 mousemove --sync 700 420 mouseup 1"); }, drawn},
                     {[&] {
                        writeText(path_, text + "# theirs\n");
@@ -131,7 +132,7 @@ TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
                     {[] { xdotool("key ctrl+s"); }, [&] { return !fileHas("# theirs"); }}}));
 }
 
-TEST_F(EditPlayTest, IsDrawnAsTheSettingsSay) {
+TEST_F(EditorScreenTest, IsDrawnAsTheSettingsSay) {
   writeText(path_, kClosedRoom);  // where the search ends soon
   const Image plain = pictureWith("");
   EXPECT_EQ(pictureWith(""), plain);
@@ -139,7 +140,7 @@ TEST_F(EditPlayTest, IsDrawnAsTheSettingsSay) {
     EXPECT_NE(pictureWith(settings), plain) << settings;
 }
 
-TEST_F(EditPlayTest, AMinimisedWindowDrawsNothing) {
+TEST_F(EditorScreenTest, AMinimisedWindowDrawsNothing) {
   std::size_t pictures = 0;
   int frames = 0;
   EXPECT_TRUE(edit({{[] { xdotool("getactivewindow windowminimize"); }, [] { return windowHas(GLFW_ICONIFIED); }},
@@ -151,20 +152,21 @@ TEST_F(EditPlayTest, AMinimisedWindowDrawsNothing) {
                      [&] { return shownPictures > pictures; }}}));
 }
 
-TEST_F(EditPlayTest, OffscreenThePictureIsWritten) {
-  options_.offscreen = true;
-  options_.seconds = 0.5;
-  options_.screenshot = (folder_ / "picture.png").string();
-  options_.solid = SolidKind::kIcosahedron;
-  EditPlay(options_, steadyClock()).run([] { return false; });
-  EXPECT_GT(std::filesystem::file_size(options_.screenshot), 10000U);
+TEST_F(EditorScreenTest, OffscreenANewLevelIsDrawn) {
+  EditSession session(path_.string(), SolidKind::kIcosahedron);
+  const Offscreen context;
+  EditorPicture picture{Settings()};
+  session.analyse();
+  picture.draw(session.editor());
+  writePng(picture.read(), folder_ / "picture.png");
+  EXPECT_GT(std::filesystem::file_size(folder_ / "picture.png"), 10000U);
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
-TEST_F(EditPlayTest, AnInvalidLevelIsRefusedWithItsErrors) {
+TEST_F(EditorScreenTest, AnInvalidLevelIsRefusedWithItsErrors) {
   writeText(path_, "CUBE\n");
   try {
-    const EditPlay play(options_, steadyClock());
+    const EditSession session(path_.string(), SolidKind::kHexahedron);
     ADD_FAILURE() << "accepted";
   } catch (const ProgramError& error) {
     EXPECT_EQ(error.exitCode(), ProgramError::kInvalid);
@@ -173,4 +175,4 @@ TEST_F(EditPlayTest, AnInvalidLevelIsRefusedWithItsErrors) {
 }
 
 }  // namespace
-}  // namespace platon::edit_play_test
+}  // namespace platon::editor_screen_test

@@ -1,0 +1,203 @@
+#include "client/play/match_screen.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "client/gl/gl_loader.h"
+#include "client/menu/pages/failure_page.h"
+#include "client/play/replay_screen.h"
+
+namespace platon {
+
+MatchScreen::MatchScreen(GameDesk& desk, const MatchChoice& choice, MedalsOf medalsOf)
+    : desk_(&desk),
+      choice_(choice),
+      medalsOf_(std::move(medalsOf)),
+      match_(desk.options, choice, desk.clock),
+      settingsPages_(desk.menu, desk.settings(), [this] { return match_.alone(); }),
+      pages_(desk.menu, desk.interface,
+             {[this] { settingsPages_.show(MenuPage::Place::kMiddle); }, [this] { next_ = Close(); },
+              [this](const std::filesystem::path& file) { watch(file); },
+              [this](const std::string& text) { desk_->tell(text); }}) {}
+
+Next MatchScreen::handle(const WindowEvent& event) {
+  if (const auto* const key = std::get_if<KeyEvent>(&event)) handleKey(*key);
+  if (const auto* const pointer = std::get_if<PointerEvent>(&event)) handlePointer(*pointer);
+  if (std::holds_alternative<GamepadLost>(event) && desk_->interface.loseGamepad()) pages_.loseGamepad(match_);
+  if (std::holds_alternative<FilesDropped>(event)) desk_->tell(kDropRefused);
+  if (std::holds_alternative<CloseAsked>(event)) next_ = Quit();
+  return std::exchange(next_, Stay());
+}
+
+void MatchScreen::handleKey(const KeyEvent& event) {
+  const std::optional<Action> action = desk_->handle(event, desk_->menu.isOpen());
+  desk_->menu.handle(event, desk_->view.font());
+  if (event.kind == KeyEvent::Kind::kPress && action != Action::kToggleVote) skip_.takeBack();
+  if (action) perform(*action);
+}
+
+// The press that closes the menu does not look round.
+void MatchScreen::handlePointer(const PointerEvent& event) {
+  if (event.kind == PointerEvent::Kind::kPress) desk_->view.skip();
+  const bool inGame = !desk_->menu.isOpen();
+  desk_->menu.handle(event, desk_->view.font());
+  if (inGame) mouseLook_.handle(event);
+}
+
+void MatchScreen::perform(Action action) {
+  switch (action) {
+    case Action::kOpenMenu:
+      return pages_.showPause(match_);
+    case Action::kToggleVote:
+      return wishNext();
+    case Action::kGoOn:
+      return match_.alone() && match_.roundOver() ? match_.skipLevel() : void();
+    case Action::kWatchNext:
+      return spectator_.next();
+    case Action::kSay:
+      sayAsked_ = true;
+      return;
+    default:
+      return;
+  }
+}
+
+// Of a level for several players nobody who is alone has anything to lose.
+void MatchScreen::wishNext() {
+  const std::shared_ptr<const Level> level = match_.level();
+  const bool losesNothing = match_.roundOver() || (level && level->players > 1);
+  if (!match_.alone() || skip_.wish(losesNothing)) match_.skipLevel();
+}
+
+void MatchScreen::watch(const std::filesystem::path& file) {
+  next_ = Push{std::make_unique<ReplayScreen>(*desk_, file, medalsOf_, ReplayScreen::Behind::kMatch)};
+  desk_->menu.close();
+}
+
+Next MatchScreen::reveal(const Ending& ending) {
+  const auto* const end = std::get_if<ReplayEnd>(&ending);
+  end == nullptr ? pages_.showPause(match_) : stopWatching(*end);
+  return Stay();
+}
+
+void MatchScreen::stopWatching(const ReplayEnd& end) {
+  if (end.fault.empty()) return pages_.showPause(match_);
+  desk_->menu.open([this, end] {
+    return unplayablePage(
+        end, [this, end] { watch(end.file); }, [this] { pages_.showPause(match_); });
+  });
+}
+
+Next MatchScreen::update(const Frame& frame) {
+  if (const auto again = desk_->repeated(desk_->menu.isOpen(), frame)) handleKey(*again);
+  // After all events: the character of the key is not part of the text.
+  if (std::exchange(sayAsked_, false)) pages_.showSay(match_);
+  desk_->update(frame);
+  advance(desk_->menu.isOpen());
+  if (match_.client().ending() && phase_ != Phase::kEnded) checkEnding();
+  return std::exchange(next_, Stay());
+}
+
+bool MatchScreen::updateBehind(const Frame& /*frame*/) {
+  advance(true);
+  if (!match_.alone()) desk_->tell("somebody has joined the game");
+  return !match_.alone() || match_.client().ending();
+}
+
+// `away`: the player does not look at the game.
+void MatchScreen::advance(bool away) {
+  if (away) mouseLook_.release();
+  match_.update(
+      away, [this, away](const Game& game, std::uint32_t slot) { return choose(game, slot, away); },
+      desk_->settings().gameSpeed / 100);
+  if (phase_ != Phase::kJoining || !match_.client().welcomed()) return;
+  phase_ = Phase::kPlaying;
+  if (choice_.server) desk_->recentServers.remember(*choice_.server);
+  desk_->named.succeed();
+}
+
+Input MatchScreen::choose(const Game& game, std::uint32_t slot, bool away) {
+  if (desk_->options.demo) return demo_.choose(game, slot);
+  const HeldKeys held = desk_->interface.takeHeld(away);
+  if (held != HeldKeys()) desk_->view.skip();
+  desk_->hints.observe(game, slot, desk_->settings());
+  return steering_.input(held, desk_->view.roll(), desk_->settings().controls);
+}
+
+void MatchScreen::checkEnding() {
+  const NetworkClient& client = match_.client();
+  const std::string reason = *client.ending();
+  if (phase_ == Phase::kJoining) {
+    const bool asksPassword = client.asksPassword() && choice_.server;
+    next_ = Close{MatchRefused{ProgramError(ProgramError::kFailed, reason), asksPassword, client.next()}};
+    return;
+  }
+  phase_ = Phase::kEnded;
+  std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
+  desk_->menu.open([this, reason] {
+    const auto start = [this](const MatchChoice& choice) { next_ = Close{choice}; };
+    return failurePage(
+        "The game has ended", reason, [this, start] { start(choice_); }, [this] { next_ = Close(); },
+        joinItem(match_.client().next(), start));
+  });
+}
+
+void MatchScreen::draw(const Frame& frame) {
+  if (desk_->drawPreview(match_.paused(), frame)) return;
+  GameView& view = desk_->view;
+  Settings& settings = desk_->settings();
+  const bool inMenu = desk_->menu.isOpen();
+  std::optional<Scene> scene = match_.scene(settings);
+  if (scene) view.netGraph().add(meter_.sample(match_.client(), frame.now));
+  if (scene) spectator_.direct(*scene, desk_->interface.keyHints());
+  const HudStatus status = hudStatus(scene);
+  view.setFlights(!inMenu);
+  view.look(inMenu ? LookInput() : mouseLook_.take(desk_->interface.look()));
+  const auto draw = [&] {
+    view.draw(scene ? &*scene : nullptr, status, settings, desk_->menu.overlay(view.font(), true), frame.seconds);
+    desk_->present();  // a part of the time that the trial measures
+  };
+  scene ? desk_->trial.draw(settings.quality, desk_->clock.now, finishDrawing, draw) : draw();
+  playSounds(scene ? &*scene : nullptr, status, frame.seconds);
+}
+
+HudStatus MatchScreen::hudStatus(const std::optional<Scene>& scene) {
+  HudStatus status = match_.hudStatus(desk_->settings(), desk_->interface.helpShown());
+  status.keys = desk_->interface.keyHints();
+  status.hint = hint(status.summary.has_value());
+  if (scene && match_.leastSpeed() == 1) status.medal = medal(*scene);
+  status.underMenu = desk_->menu.isOpen() && !desk_->menu.standsAside();
+  return status;
+}
+
+std::string MatchScreen::hint(bool roundOver) const {
+  const KeyHints keys = desk_->interface.keyHints();
+  if (skip_.asked()) return keys.of(Control::kVote) + " again: next level, without this goal";
+  if (roundOver) return match_.alone() ? keys.goOn() + ": next level" : "";
+  if (!spectator_.hint().empty() || desk_->options.demo) return spectator_.hint();
+  return desk_->view.flying() ? "" : desk_->hints.hint(keys);  // the goal in the picture is not the ball
+}
+
+// Of the own time, while the player is at the goal.
+std::string MatchScreen::medal(const Scene& scene) {
+  const std::shared_ptr<const Level> level = match_.level();
+  if (!level || !scene.attempt || !scene.attempt->arrived) return medals_.reset(), "";
+  if (!medals_) medals_ = medalsOf_(level);
+  return ownMedalText(scene, *medals_);
+}
+
+// During an outage nothing is heard.
+void MatchScreen::playSounds(const Scene* scene, const HudStatus& status, double seconds) {
+  const NetworkClient& client = match_.client();
+  const std::optional<double> next = status.summary ? std::optional(status.summary->secondsLeft) : std::nullopt;
+  desk_->sound.update(client.outage() ? nullptr : client.session(), scene, next, desk_->settings(), seconds);
+}
+
+std::optional<MenuItem> joinItem(const std::optional<ServerAddress>& next,
+                                 const std::function<void(const MatchChoice&)>& start) {
+  if (!next) return std::nullopt;
+  return MenuItem{.name = "Join " + next->text(),
+                  .choose = [server = *next, start] { start(MatchChoice{.server = server}); }};
+}
+
+}  // namespace platon

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/demo/demo.h"
+#include "client/lobby/shipped_levels.h"
+#include "client/menu/pages/settings_pages.h"
+#include "client/play/game_desk.h"
+#include "client/play/match/live_match.h"
+#include "client/play/match_pages.h"
+#include "client/play/screen.h"
+#include "client/ui/controls/mouse_look.h"
+#include "client/ui/skip_question.h"
+#include "client/ui/spectator.h"
+#include "client/ui/steering.h"
+
+namespace platon {
+
+/// A match in the window of the program, with the pages over it. Why it has ended is shown here if the server has let
+/// the player in, and otherwise by the screen behind it.
+class MatchScreen : public Screen {
+ public:
+  /// Starts the match. Throws as LiveMatch. `desk` outlives the screen.
+  MatchScreen(GameDesk& desk, const MatchChoice& choice, MedalsOf medalsOf);
+
+  Next handle(const WindowEvent& event) override;
+  Next update(const Frame& frame) override;
+  void draw(const Frame& frame) override;
+  Moment frameTime() const override { return desk_->frameTime(desk_->menu.isOpen()); }
+  /// The game goes on, and comes to the front when somebody joins.
+  bool updateBehind(const Frame& frame) override;
+  Next reveal(const Ending& ending) override;
+  void leave() override { match_.leave(); }
+
+  const LiveMatch& match() const { return match_; }
+
+ private:
+  enum class Phase { kJoining, kPlaying, kEnded };
+
+  void handleKey(const KeyEvent& event);
+  void handlePointer(const PointerEvent& event);
+  void perform(Action action);
+  void wishNext();
+  void watch(const std::filesystem::path& file);
+  void stopWatching(const ReplayEnd& end);
+  void advance(bool away);
+  Input choose(const Game& game, std::uint32_t slot, bool away);
+  void checkEnding();
+  HudStatus hudStatus(const std::optional<Scene>& scene);
+  std::string hint(bool roundOver) const;
+  std::string medal(const Scene& scene);
+  void playSounds(const Scene* scene, const HudStatus& status, double seconds);
+
+  GameDesk* desk_;
+  MatchChoice choice_;
+  MedalsOf medalsOf_;
+  LiveMatch match_;
+  Phase phase_ = Phase::kJoining;
+  SettingsPages settingsPages_;
+  MatchPages pages_;
+  bool sayAsked_ = false;
+  Demo demo_{shippedWay};
+  Steering steering_;
+  MouseLook mouseLook_;
+  Spectator spectator_;
+  SkipQuestion skip_;
+  NetMeter meter_;
+  std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
+  Next next_;
+};
+
+/// The menu item that joins the server where another one has told to go on, by `start`; nothing if it has told none.
+/// The player decides, because any server can name any other. It gets no password.
+std::optional<MenuItem> joinItem(const std::optional<ServerAddress>& next,
+                                 const std::function<void(const MatchChoice&)>& start);
+
+}  // namespace platon
