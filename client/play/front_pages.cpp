@@ -72,10 +72,123 @@ std::vector<JoinForm::Found> inOldOrder(const std::vector<JoinForm::Found>& old,
 
 }  // namespace
 
+JoinPage::JoinPage(Menu& menu, Settings& settings, RecentServers recent, std::string listUrl, Start start,
+                   ThreadStart startThread)
+    : menu_(&menu),
+      settings_(&settings),
+      recent_(std::move(recent)),
+      givenListUrl_(std::move(listUrl)),
+      start_(std::move(start)),
+      startThread_(std::move(startThread)) {
+  form_.asksList = givenListUrl_.empty();
+}
+
+void JoinPage::show() {
+  form_.fault.clear();
+  form_.asksPassword = false;
+  form_.recent.clear();
+  form_.listFault.clear();
+  listUrlFault_.clear();
+  form_.listUrl.setText(settings_->listUrl);
+  enteredListUrl_ = settings_->listUrl;
+  for (const ServerAddress& server : recent_.list()) form_.recent.push_back(server.text());
+  menu_->push([this] {
+    shown_ = true;
+    return joinPage(form_, [this] { join(); });
+  });
+}
+
+void JoinPage::update(Moment now) {
+  const bool shown = std::exchange(shown_, false);
+  // While the player types, the URL is not complete.
+  const bool types = shown && menu_->isOpen() && menu_->focus() == itemOfList(form_);
+  if (form_.asksList && !types) takeListUrl();
+  std::erase_if(stopped_, [](const auto& list) { return list->hasStopped(); });
+  if (!shown) {
+    near_.reset();
+    form_.found.clear();
+    return;
+  }
+  try {
+    readList(now);
+    if (!near_) near_.emplace(searchNearby());
+    near_->update(now);
+  } catch (const SocketError&) {
+    near_.reset();  // joining says why
+  }
+  form_.found = inOldOrder(form_.found, foundServers());
+}
+
+const std::string& JoinPage::listUrl() const { return givenListUrl_.empty() ? settings_->listUrl : givenListUrl_; }
+
+// A URL that is refused changes nothing: the one before is kept.
+void JoinPage::takeListUrl() {
+  const std::string& text = form_.listUrl.text();
+  if (text == enteredListUrl_) return;
+  enteredListUrl_ = text;
+  const bool valid = text.empty() || isListUrl(text);
+  listUrlFault_ = valid ? "" : std::string("The list of servers must be ") + kListUrlForm + ".";
+  if (!valid || text == settings_->listUrl) return;
+  settings_->listUrl = text;
+  listReadAt_.reset();
+  if (!listed_) return;
+  listed_->stop();
+  stopped_.push_back(std::move(listed_));
+}
+
+// The list is kept while other pages are shown.
+void JoinPage::readList(Moment now) {
+  form_.listFault = listUrlFault_;
+  form_.hasList = !listUrl().empty();
+  if (!form_.hasList) return;
+  const bool pageIsNew = !near_;
+  if (!listReadAt_ || (pageIsNew && now - *listReadAt_ >= kListLife)) {
+    listed_ = std::make_unique<ListedServers>(listUrl(), NameLookup::firstAddressOf, startThread_);
+    listReadAt_ = now;
+  }
+  listed_->update(now);
+  if (listUrlFault_.empty() && !listed_->faults().empty()) form_.listFault = listed_->faults().front();
+}
+
+std::vector<JoinForm::Found> JoinPage::foundServers() const {
+  std::vector<JoinForm::Found> found;
+  if (listed_) {
+    for (const FoundServer& server : listed_->list())
+      found.push_back(rowOf(server.listed.name, server.listed.address.text(), describe(server.answer)));
+  }
+  if (!near_) return found;
+  for (const NearServer& server : near_->list()) {
+    const std::string address = ServerAddress{server.address.ip.text(), server.address.port}.text();
+    found.push_back(rowOf(server.info.name, address, describe(server)));
+  }
+  return found;
+}
+
+void JoinPage::askPassword(const ServerAddress& server, bool wrong) {
+  show();
+  form_.address.setText(server.text());
+  form_.password.setText("");
+  form_.asksPassword = true;
+  form_.fault = wrong ? "The password is wrong." : "The server asks for a password.";
+  menu_->setFocus(1);
+}
+
+void JoinPage::join() {
+  MatchChoice choice;
+  try {
+    choice.server = parseServerAddress(form_.address.text());
+  } catch (const std::invalid_argument& error) {
+    form_.fault = form_.address.text().empty() ? "Enter the address of the server." : error.what();
+    return;
+  }
+  if (listed_) choice.key = listed_->keyOf(*choice.server);
+  if (form_.asksPassword) choice.password = Password(form_.password.text());
+  start_(choice);
+}
+
 FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl)
     : menu_(&menu),
       settingsPages_(menu, settings),
-      recent_(std::move(recent)),
       calls_(std::move(calls)),
       replays_(menu, runsFolder(), ghostsFolder(),
                {[this](const std::filesystem::path& file) { calls_.watch(file); },
@@ -83,10 +196,7 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
                   return race(level, file);
                 },
                 [this](const std::shared_ptr<const Level>& level) { return entryOf(level).medals; }}),
-      settings_(&settings),
-      givenListUrl_(std::move(listUrl)) {
-  joinForm_.asksList = givenListUrl_.empty();
-}
+      joinPage_(menu, settings, std::move(recent), std::move(listUrl), calls_.start, calls_.startThread) {}
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = calls_.loadLevels();
@@ -122,7 +232,7 @@ MenuPage FrontPages::titlePage() {
   page.place = MenuPage::Place::kLeft;
   page.items = {{.name = "Play", .value = entries_[nextLevel()].title, .choose = [this] { playFrom(nextLevel()); }},
                 {.name = "Levels", .choose = [this] { showLevels(); }},
-                {.name = "Join a server", .choose = [this] { showJoin(); }},
+                {.name = "Join a server", .choose = [this] { joinPage_.show(); }},
                 {.name = "Host a game", .choose = [this] { showHost(); }},
                 {.name = "Replays", .choose = [this] { replays_.showList(); }},
                 {.name = "Settings", .choose = [this] { settingsPages_.show(MenuPage::Place::kLeft); }},
@@ -181,7 +291,7 @@ void FrontPages::choose(std::size_t level) {
 void FrontPages::showSeveralPlayers(std::size_t level) {
   menu_->push([this, level] {
     beside_ = [level] { return level; };
-    return severalPlayersPage(entries_[level], {[this, level] { hostLevel(level); }, [this] { showJoin(); }});
+    return severalPlayersPage(entries_[level], {[this, level] { hostLevel(level); }, [this] { joinPage_.show(); }});
   });
 }
 
@@ -225,108 +335,8 @@ void FrontPages::showRun(const std::filesystem::path& file) {
   if (showTitle()) replays_.showRun(file);
 }
 
-void FrontPages::showJoin() {
-  joinForm_.fault.clear();
-  joinForm_.asksPassword = false;
-  joinForm_.recent.clear();
-  joinForm_.listFault.clear();
-  listUrlFault_.clear();
-  joinForm_.listUrl.setText(settings_->listUrl);
-  enteredListUrl_ = settings_->listUrl;
-  for (const ServerAddress& server : recent_.list()) joinForm_.recent.push_back(server.text());
-  menu_->push([this] {
-    joins_ = true;
-    return joinPage(joinForm_, [this] { join(); });
-  });
-}
-
-void FrontPages::update(Moment now) {
-  const bool shown = std::exchange(joins_, false);
-  // While the player types, the URL is not complete.
-  const bool types = shown && menu_->isOpen() && menu_->focus() == itemOfList(joinForm_);
-  if (joinForm_.asksList && !types) takeListUrl();
-  std::erase_if(stopped_, [](const auto& list) { return list->hasStopped(); });
-  if (!shown) {
-    near_.reset();
-    joinForm_.found.clear();
-    return;
-  }
-  try {
-    readList(now);
-    if (!near_) near_.emplace(searchNearby());
-    near_->update(now);
-  } catch (const SocketError&) {
-    near_.reset();  // joining says why
-  }
-  joinForm_.found = inOldOrder(joinForm_.found, foundServers());
-}
-
-const std::string& FrontPages::listUrl() const { return givenListUrl_.empty() ? settings_->listUrl : givenListUrl_; }
-
-// A URL that is refused changes nothing: the one before is kept.
-void FrontPages::takeListUrl() {
-  const std::string& text = joinForm_.listUrl.text();
-  if (text == enteredListUrl_) return;
-  enteredListUrl_ = text;
-  const bool valid = text.empty() || isListUrl(text);
-  listUrlFault_ = valid ? "" : std::string("The list of servers must be ") + kListUrlForm + ".";
-  if (!valid || text == settings_->listUrl) return;
-  settings_->listUrl = text;
-  listReadAt_.reset();
-  if (!listed_) return;
-  listed_->stop();
-  stopped_.push_back(std::move(listed_));
-}
-
-// The list is kept while other pages are shown.
-void FrontPages::readList(Moment now) {
-  joinForm_.listFault = listUrlFault_;
-  joinForm_.hasList = !listUrl().empty();
-  if (!joinForm_.hasList) return;
-  const bool pageIsNew = !near_;
-  if (!listReadAt_ || (pageIsNew && now - *listReadAt_ >= kListLife)) {
-    listed_ = std::make_unique<ListedServers>(listUrl(), NameLookup::firstAddressOf, calls_.startThread);
-    listReadAt_ = now;
-  }
-  listed_->update(now);
-  if (listUrlFault_.empty() && !listed_->faults().empty()) joinForm_.listFault = listed_->faults().front();
-}
-
-std::vector<JoinForm::Found> FrontPages::foundServers() const {
-  std::vector<JoinForm::Found> found;
-  if (listed_) {
-    for (const FoundServer& server : listed_->list())
-      found.push_back(rowOf(server.listed.name, server.listed.address.text(), describe(server.answer)));
-  }
-  if (!near_) return found;
-  for (const NearServer& server : near_->list()) {
-    const std::string address = ServerAddress{server.address.ip.text(), server.address.port}.text();
-    found.push_back(rowOf(server.info.name, address, describe(server)));
-  }
-  return found;
-}
-
 void FrontPages::askPassword(const ServerAddress& server, bool wrong) {
-  if (!showTitle()) return;
-  showJoin();
-  joinForm_.address.setText(server.text());
-  joinForm_.password.setText("");
-  joinForm_.asksPassword = true;
-  joinForm_.fault = wrong ? "The password is wrong." : "The server asks for a password.";
-  menu_->setFocus(1);
-}
-
-void FrontPages::join() {
-  MatchChoice choice;
-  try {
-    choice.server = parseServerAddress(joinForm_.address.text());
-  } catch (const std::invalid_argument& error) {
-    joinForm_.fault = joinForm_.address.text().empty() ? "Enter the address of the server." : error.what();
-    return;
-  }
-  if (listed_) choice.key = listed_->keyOf(*choice.server);
-  if (joinForm_.asksPassword) choice.password = Password(joinForm_.password.text());
-  calls_.start(choice);
+  if (showTitle()) joinPage_.askPassword(server, wrong);
 }
 
 void FrontPages::showHost() {

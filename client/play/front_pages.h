@@ -22,6 +22,46 @@
 
 namespace platon {
 
+/// The page to join a server. While it is shown, it finds servers nearby and those of a list on a web server.
+class JoinPage {
+ public:
+  using Start = std::function<void(const MatchChoice&)>;
+
+  /// `menu` and `settings` outlive the page. `listUrl`: as for FrontPages. `start` joins what the player has chosen,
+  /// `startThread` reads lists.
+  JoinPage(Menu& menu, Settings& settings, RecentServers recent, std::string listUrl, Start start,
+           ThreadStart startThread);
+
+  /// Shows the page above the present one.
+  void show();
+  /// Shows it to ask for the password of a server, after it has refused another one if `wrong`.
+  void askPassword(const ServerAddress& server, bool wrong);
+  /// Finds servers while the page is shown. Call in each frame.
+  void update(Moment now);
+
+ private:
+  const std::string& listUrl() const;
+  void takeListUrl();
+  void readList(Moment now);
+  std::vector<JoinForm::Found> foundServers() const;
+  void join();
+
+  Menu* menu_;
+  Settings* settings_;
+  RecentServers recent_;
+  std::string givenListUrl_;
+  Start start_;
+  ThreadStart startThread_;
+  JoinForm form_;
+  std::optional<NearServers> near_;        // since the page was shown
+  std::string enteredListUrl_;             // that was looked at last
+  std::string listUrlFault_;               // why it is refused; empty: it is not
+  std::unique_ptr<ListedServers> listed_;  // since the page was shown first, of the present URL; null: none
+  std::vector<std::unique_ptr<ListedServers>> stopped_;  // of other URLs, until they need not be waited for
+  std::optional<Moment> listReadAt_;
+  bool shown_ = false;  // since the last update
+};
+
 /// The pages before a match: title, levels, joining, hosting and replays.
 class FrontPages {
  public:
@@ -42,8 +82,8 @@ class FrontPages {
   bool showTitle();
   /// Asks for the password of a server, after it has refused another one if `wrong`.
   void askPassword(const ServerAddress& server, bool wrong);
-  /// Searches for servers nearby and asks those of the list while the page is shown on which they can be joined.
-  void update(Moment now);
+  /// As JoinPage::update.
+  void update(Moment now) { joinPage_.update(now); }
   /// The level to see behind the pages; null before the title was shown.
   std::shared_ptr<const Level> shownLevel();
   /// What is known of a level. One that did not come with the game has no medals.
@@ -60,15 +100,9 @@ class FrontPages {
   void choose(std::size_t level);
   void showSeveralPlayers(std::size_t level);
   void hostLevel(std::size_t level);
-  void showJoin();
   void showHost();
   void playFrom(std::size_t level);
   std::string race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
-  const std::string& listUrl() const;
-  void takeListUrl();
-  void readList(Moment now);
-  std::vector<JoinForm::Found> foundServers() const;
-  void join();
   std::string hostFault() const;
   void host();
   void load();
@@ -79,22 +113,12 @@ class FrontPages {
 
   Menu* menu_;
   SettingsPages settingsPages_;
-  RecentServers recent_;
   Calls calls_;
   std::vector<ShippedLevel> levels_;
   std::vector<LevelEntry> entries_;      // of levels_
   std::function<std::size_t()> beside_;  // the level to see behind the page that was shown last
   ReplayPages replays_;
-  JoinForm joinForm_;
-  std::optional<NearServers> near_;  // since the page was shown
-  Settings* settings_;
-  std::string givenListUrl_;
-  std::string enteredListUrl_;             // that was looked at last
-  std::string listUrlFault_;               // why it is refused; empty: it is not
-  std::unique_ptr<ListedServers> listed_;  // since the page was shown first, of the present URL; null: none
-  std::vector<std::unique_ptr<ListedServers>> stopped_;  // of other URLs, until they need not be waited for
-  std::optional<Moment> listReadAt_;
-  bool joins_ = false;  // the page was shown since the last update
+  JoinPage joinPage_;
   HostForm hostForm_;
 };
 
