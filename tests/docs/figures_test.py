@@ -217,7 +217,7 @@ PLAYER = "shared/include/platon/game/player_motion.h"
 STEP = "shared/physics/step/entity_step.h"
 LIMITS = "protocol/limits.h"
 SCHEDULE = "server/fleet/agones_schedule.h"
-LINK = "server/app/agones_link.cpp"
+LINK = "server/program/agones_link.cpp"
 FLEET = "deploy/agones/fleet.yaml"
 EMPTY = constant(SCHEDULE, "kEmptyTime")
 COUNT = constant(SCHEDULE, "kCountInterval")
@@ -252,7 +252,7 @@ FIGURES = [
     Figures("docs/level_format.md", "runs at {} units a tick (60 ticks a second). A jump is {} units high and about {} units wide", jump),
     Figures("docs/level_format.md", "at most {} MiB", constant("shared/include/platon/game/level.h", "kMaxLevelBytes", 1 / (1 << 20))),
     Figures("docs/hosting.md", "wakes every {} ms", constant("server/app/dedicated_server.h", "kIdleWait")),
-    Figures("docs/hosting.md", "the queue of {} lines", constant("server/app/async_line_writer.h", "kQueueLines")),
+    Figures("docs/hosting.md", "the queue of {} lines", constant("server/program/async_line_writer.h", "kQueueLines")),
     Figures("docs/netcode.md", "within {} ms (`ErrorSmoothing::kDuration`)", constant("client/netcode/prediction.h", "kDuration")),
     Figures("docs/netcode.md", "lands after at least {} ticks in the air", constant("client/netcode/player_watch.h", "kMinAirTicks")),
     Figures("docs/netcode.md", "keeps the players of the last {} ticks", constant(BUFFER, "kMaxSnapshots")),

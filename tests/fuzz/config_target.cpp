@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "server/app/config_file.h"
-#include "server/app/option_table.h"
+#include "server/program/config_file.h"
+#include "server/program/option_table.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {

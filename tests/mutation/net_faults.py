@@ -6,6 +6,7 @@ PROTOCOL = "protocol/"
 MATCH = "server/match/"
 ADMIN = "server/admin/"
 APP = "server/app/"
+PROGRAM = "server/program/"
 TIMES = "server/times/"
 
 PROTOCOL_FAULTS = [
@@ -332,15 +333,15 @@ SERVER_FAULTS = [
               "level_ = level_ + std::max(0.0, seconds) * perSecond_;",
               "an unused budget grows beyond its limit",
               "TokenBucket.NeverHoldsMoreThanItsLimit"),
-    at_length("no-players-allowed", APP + "option_table.cpp",
+    at_length("no-players-allowed", PROGRAM + "option_table.cpp",
               "*number < option.least", "*number < 0",
               "a configuration with max-players = 0 is accepted",
               "OptionTable.NumbersHaveARange"),
-    at_length("check-makes-a-key", APP + "config_check.cpp",
+    at_length("check-makes-a-key", PROGRAM + "config_check.cpp",
               "if (!checkKeyFile(options.keyFile)) check_", "if (readKeyFile(options.keyFile).text().empty()) check_",
               "a check of the configuration makes the key of the server",
               "ConfigCheckTest.AMissingKeyIsNotMade"),
-    at_length("file-overrides-the-command-line", APP + "command_line.cpp",
+    at_length("file-overrides-the-command-line", PROGRAM + "command_line.cpp",
               "    if (given) setOption(", "    if (given && line.config.empty()) setOption(",
               "the configuration file overrides the command line",
               "CommandLine.ItsOptionsOverrideTheFile"),

@@ -19,7 +19,7 @@ EXCEPTIONS = {
     "client/play/match_screen.cpp": "window_match_test and window_play_test play in it",
     "client/play/title_screen.cpp": "window_match_test and window_play_test start at it",
     "levels/tool/main.cpp": "level_check_test runs platon-level",
-    "server/app/main.cpp": "server_program_test runs platon-server",
+    "server/program/main.cpp": "server_program_test runs platon-server",
 }
 
 

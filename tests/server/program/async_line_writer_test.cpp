@@ -1,4 +1,4 @@
-#include "server/app/async_line_writer.h"
+#include "server/program/async_line_writer.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

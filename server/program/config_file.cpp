@@ -1,4 +1,4 @@
-#include "server/app/config_file.h"
+#include "server/program/config_file.h"
 
 #include <toml++/toml.h>
 
@@ -9,7 +9,7 @@
 
 #include "platon/game/diagnostics.h"
 #include "protocol/files/text_file.h"
-#include "server/app/option_table.h"
+#include "server/program/option_table.h"
 
 namespace platon {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/app/command_line.h"
+#include "server/program/command_line.h"
 
 #include <gtest/gtest.h>
 

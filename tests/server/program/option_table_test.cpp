@@ -1,11 +1,11 @@
-#include "server/app/option_table.h"
+#include "server/program/option_table.h"
 
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <set>
 
-#include "server/app/config_file.h"
+#include "server/program/config_file.h"
 #include "tests/support/files.h"
 
 namespace platon::option_table_test {

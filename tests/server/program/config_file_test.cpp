@@ -1,4 +1,4 @@
-#include "server/app/config_file.h"
+#include "server/program/config_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "server/app/command_line.h"
+#include "server/program/command_line.h"
 
 namespace platon {
 

@@ -1,4 +1,4 @@
-#include "server/app/agones_link.h"
+#include "server/program/agones_link.h"
 
 #include <string>
 

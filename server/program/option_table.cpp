@@ -1,4 +1,4 @@
-#include "server/app/option_table.h"
+#include "server/program/option_table.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "protocol/transport/server_address.h"
 #include "server/admin/console_command.h"
 #include "server/admin/metrics_server.h"
-#include "server/app/byte_size.h"
+#include "server/program/byte_size.h"
 
 namespace platon {
 namespace {

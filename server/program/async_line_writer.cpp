@@ -1,4 +1,4 @@
-#include "server/app/async_line_writer.h"
+#include "server/program/async_line_writer.h"
 
 #include <spdlog/async_logger.h>
 #include <spdlog/details/thread_pool.h>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "protocol/work/blocked_signals.h"
-#include "server/app/descriptor_sink.h"
+#include "server/program/descriptor_sink.h"
 
 namespace platon {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/app/byte_size.h"
+#include "server/program/byte_size.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "server/app/command_line.h"
+#include "server/program/command_line.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "protocol/program_options.h"
-#include "server/app/config_file.h"
-#include "server/app/option_table.h"
+#include "server/program/config_file.h"
+#include "server/program/option_table.h"
 
 namespace platon {
 namespace {

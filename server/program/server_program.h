@@ -14,9 +14,9 @@
 #include "server/admin/console_server.h"
 #include "server/admin/drain.h"
 #include "server/admin/metrics_server.h"
-#include "server/app/agones_link.h"
-#include "server/app/command_line.h"
 #include "server/app/dedicated_server.h"
+#include "server/program/agones_link.h"
+#include "server/program/command_line.h"
 #include "server/service/service_manager.h"
 
 namespace platon {

@@ -1,4 +1,4 @@
-#include "server/app/server_metrics.h"
+#include "server/program/server_metrics.h"
 
 #include <algorithm>
 

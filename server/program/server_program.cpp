@@ -1,4 +1,4 @@
-#include "server/app/server_program.h"
+#include "server/program/server_program.h"
 
 #include <cstdlib>
 #include <exception>
@@ -9,12 +9,12 @@
 #include "protocol/program_error.h"
 #include "protocol/transport/secret_file.h"
 #include "server/admin/enforce_bans.h"
-#include "server/app/byte_size.h"
 #include "server/app/identity_file.h"
 #include "server/app/level_files.h"
-#include "server/app/option_table.h"
-#include "server/app/server_metrics.h"
 #include "server/fleet/agones_port.h"
+#include "server/program/byte_size.h"
+#include "server/program/option_table.h"
+#include "server/program/server_metrics.h"
 
 namespace platon {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/app/config_check.h"
+#include "server/program/config_check.h"
 
 #include <cerrno>
 #include <sstream>

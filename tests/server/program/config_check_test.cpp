@@ -1,4 +1,4 @@
-#include "server/app/config_check.h"
+#include "server/program/config_check.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "server/app/descriptor_sink.h"
+#include "server/program/descriptor_sink.h"
 
 #include <poll.h>
 #include <unistd.h>

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "server/app/async_line_writer.h"
+#include "server/program/async_line_writer.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
