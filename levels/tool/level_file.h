@@ -10,11 +10,6 @@
 
 namespace platon {
 
-// Exit codes of platon-level.
-inline constexpr int kFailed = 1;
-inline constexpr int kUsage = 2;  ///< also for a file that cannot be read
-inline constexpr int kInvalidLevel = 3;
-
 /// Returns the first `maxBytes` bytes of a file or of a pipe that is written to. Returns nothing and sets `fault` when
 /// it cannot be read, or is a device.
 std::optional<std::string> readInputFile(const std::string& path, std::size_t maxBytes, std::string& fault);

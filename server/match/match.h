@@ -62,7 +62,7 @@ class Match {
   /// is the household of its address. When an origin has more players than allowed, its player that has been
   /// disconnected longest is removed; when all of them are connected, the client is refused, also when it wishes to
   /// resume. Origin 0 has no limit of players.
-  void receive(ClientId client, const ToServer& message, const IpAddress& address = {});
+  void receive(ClientId client, const ToServer& message, const IpAddress& address = IpAddress::ofIpv4({127, 0, 0, 1}));
   /// Moves the player of a client, if it has one, to another address. Returns false, and moves nothing, if all players
   /// that the origin there may have are connected.
   bool move(ClientId client, const IpAddress& address) { return roster_.move(client, address, output_); }

@@ -25,7 +25,6 @@
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"
 #include "client/time/clock.h"
-#include "client/time/pausable_clock.h"
 #include "client/ui/chat_feed.h"
 #include "client/ui/settings.h"
 #include "platon/game/player.h"

@@ -28,8 +28,9 @@ Hello hello(const std::string& name, std::optional<SessionToken> token) {
   return hello;
 }
 
-// An address of this household.
+// An address of this household; 0: this machine.
 IpAddress addressOf(std::uint8_t origin) {
+  if (origin == 0) return IpAddress::ofIpv4({127, 0, 0, 1});
   IpAddress address;
   address.bytes[7] = origin;
   return address;
