@@ -105,7 +105,7 @@ void Match::handle(ClientId client, MatchPlayer& player, const PlayerInputs& inp
   player.inputs().countMessage(inputs.sequence);
   if (inputs.round != round()) return;
   const TickHistory& history = rounds_.played().history();
-  player.addInputs(inputs, history.end(), now_);
+  roster_.countMissed(player.addInputs(inputs, history.end(), now_));
   if (!player.isCurrent(inputs)) return;
   const bool ahead = inputs.confirmed > history.end();
   if (!ahead && !history.covers(inputs.confirmed)) {

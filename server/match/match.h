@@ -132,7 +132,7 @@ class Match {
   const MatchSettings& settings() const { return settings_; }
   std::uint32_t round() const { return rounds_.played().number(); }
   const Game& game() const { return rounds_.played().game(); }
-  /// Ticks of all rounds that were decided without the input of a connected player.
+  /// Inputs of all rounds that came too late, and differed from what was decided.
   std::uint64_t missedInputs() const { return roster_.missedInputs(); }
 
  private:

@@ -6,9 +6,17 @@
 namespace platon {
 
 bool InputBuffer::add(std::uint32_t tick, Input input) {
+  if (tick < next_ && next_ - tick <= kWindow) noteLate(tick, input);
   if (tick < next_ || tick - next_ >= kWindow || at(tick)) return false;
   at(tick) = input;
   return true;
+}
+
+// A tick is counted once: inputs are sent again and again.
+void InputBuffer::noteLate(std::uint32_t tick, Input input) {
+  Input& decided = decided_[tick % kWindow];
+  if (decided.has(Input::kPresent) && decided != input) ++missed_;
+  decided = input;
 }
 
 Input InputBuffer::decide() {
@@ -19,9 +27,9 @@ Input InputBuffer::decide() {
     ticksWithoutInput_ = 0;
     input.reset();
   } else if (last_.has(Input::kPresent)) {
-    ++missed_;
     if (++ticksWithoutInput_ > kHoldTicks) last_ = Input{Input::kPresent};
   }
+  decided_[(next_ - 1) % kWindow] = last_;
   return last_;
 }
 
@@ -112,9 +120,11 @@ void MatchPlayer::resume(std::string name) {
   wish_.clear();
 }
 
-void MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now) {
+std::uint64_t MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now) {
+  const std::uint64_t before = inputs_.missed();
   ticks_.start();
   if (inputs_.add(message, decided)) activeAt_ = now;
+  return inputs_.missed() - before;
 }
 
 bool MatchPlayer::isCurrent(const PlayerInputs& message) const {

@@ -31,8 +31,8 @@ class InputBuffer {
   /// `next` is the first tick to decide. The player is absent until its first input.
   explicit InputBuffer(std::uint32_t next = 0) : next_(next) {}
 
-  /// Stores the input of a tick. False if the tick is decided, beyond the window, or already has an input; nothing
-  /// changes then.
+  /// Stores the input of a tick. False if the tick is decided, beyond the window, or already has an input; then at most
+  /// missed() changes.
   bool add(std::uint32_t tick, Input input);
 
   /// Discards the inputs of undecided ticks. The last decided input stays in effect.
@@ -42,13 +42,16 @@ class InputBuffer {
   Input decide();
 
   std::uint32_t next() const { return next_; }
-  /// Ticks decided without their input since the player appeared.
+  /// Ticks that were decided with another input than the one that arrived too late, by at most kWindow ticks. A client
+  /// sends no input for most ticks in which nothing changes, so that one is lacking means nothing.
   std::uint64_t missed() const { return missed_; }
 
  private:
+  void noteLate(std::uint32_t tick, Input input);
   std::optional<Input>& at(std::uint32_t tick) { return waiting_[tick % kWindow]; }
 
   std::array<std::optional<Input>, kWindow> waiting_{};  // ticks next_ … next_ + kWindow - 1
+  std::array<Input, kWindow> decided_{};  // ticks next_ - kWindow … next_ - 1, or as they came too late
   std::uint32_t next_;
   Input last_;                           // decided last; absent until the first input
   std::uint32_t ticksWithoutInput_ = 0;  // since the last input
@@ -70,7 +73,7 @@ class ClientInputs {
   bool add(const PlayerInputs& message, std::uint32_t decided);
   /// Decides the input of the next tick.
   Input decide() { return buffer_.decide(); }
-  /// Ticks of the round that were decided without their input.
+  /// InputBuffer::missed of the round.
   std::uint64_t missed() const { return buffer_.missed(); }
   /// Link report since the last call; nothing if no message of inputs has arrived.
   std::optional<LinkReport> takeLinkReport();
@@ -142,8 +145,8 @@ class MatchPlayer {
   void startRound();
 
   /// Stores the inputs of a message of the current round. `decided`: number of decided ticks of the round; `now`: tick
-  /// of the match.
-  void addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now);
+  /// of the match. Returns how many of the inputs are missed ones (InputBuffer::missed).
+  std::uint64_t addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now);
   /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
   /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;

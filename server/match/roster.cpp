@@ -314,11 +314,7 @@ std::vector<Input> MatchRoster::decideInputs() {
     if (inputs.size() <= player.slot()) inputs.resize(player.slot() + 1);
     inputs[player.slot()] = input;
   };
-  for (auto& [client, player] : connected_) {
-    const std::uint64_t before = player.inputs().missed();
-    decide(player);
-    missedInputs_ += player.inputs().missed() - before;
-  }
+  for (auto& [client, player] : connected_) decide(player);
   for (Disconnected& entry : disconnected_) decide(entry.player);
   return inputs;
 }

@@ -139,7 +139,8 @@ class MatchRoster {
   void startRound();
   /// Decides the inputs of the next tick, by slot.
   std::vector<Input> decideInputs();
-  /// Ticks of all rounds that were decided without the input of a connected player.
+  /// Inputs of all rounds that came too late, and differed from what was decided.
+  void countMissed(std::uint64_t inputs) { missedInputs_ += inputs; }
   std::uint64_t missedInputs() const { return missedInputs_; }
   /// Clients that were seated since the last call.
   std::vector<ClientId> takeNewcomers() { return std::exchange(newcomers_, {}); }
