@@ -30,8 +30,8 @@ struct ReplayContext {
 void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds,
                 const ReplayContext& context = {});
 
-/// A recording that is watched. A thread reads it, so that the window stays alive meanwhile; the end of
-/// this object waits at most for the present MiB, block or tick of the recording.
+/// A recording that is watched. A thread reads it, so that the window stays alive meanwhile; the end of this object
+/// waits at most for the present MiB, block or tick of the recording.
 class ReplayPlay {
  public:
   /// Starts to read the file. A file that cannot be played gives a fault.
