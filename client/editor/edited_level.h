@@ -66,8 +66,8 @@ class EditedLevel {
   /// The stage of document().level(), and its game, in which nobody plays. There is none without a level.
   const std::shared_ptr<const StageModel>& stage() const { return stage_; }
   const Game& idle() const { return *idle_; }
-  /// Segments of a text that is not valid, which the level lacks, the first kMaxFaulty in order of face and place. Empty
-  /// while the text is valid.
+  /// Segments of a text that is not valid, which the level lacks, the first kMaxFaulty in order of face and place.
+  /// Empty while the text is valid.
   const std::vector<EditedSegment>& faulty() const { return faulty_; }
 
  private:

@@ -300,16 +300,16 @@ TEST_F(WindowPlayTest, APointerThatCameToRestOverAReplayLeavesTheFocusToTheKeys)
   int frames = 0;
   std::vector<WindowStep> steps = toReplay();
   steps[2].act = [&] {
-    const glm::vec2 place = play_->menu().layout(font_).rows.front().box.high - 8.0F;
+    const glm::vec2 place = menu().layout(font_).rows.front().box.high - 8.0F;
     overFirst = std::to_string(std::lround(place.x)) + " " + std::to_string(std::lround(place.y));
     xdotool("key Return");
   };
   steps.push_back(
       {[&] { xdotool("mousemove --window $(xdotool getactivewindow) " + overFirst); }, [&] { return ++frames == 3; }});
   steps.push_back({[] { xdotool("key Escape"); }, [this] { return shows("Watch"); }});
-  steps.push_back({[] { xdotool("key Down"); }, [this] { return play_->menu().focus() == 1; }});
+  steps.push_back({[] { xdotool("key Down"); }, [this] { return menu().focus() == 1; }});
   steps.push_back({[] { xdotool("mousemove_relative 1 0"); }, [&] { return ++frames == 6; }});
-  steps.push_back({[this] { EXPECT_EQ(play_->menu().focus(), 1U); }, [] { return true; }});
+  steps.push_back({[this] { EXPECT_EQ(menu().focus(), 1U); }, [] { return true; }});
   play(std::move(steps));
   EXPECT_TRUE(stepsDone_);
 }
