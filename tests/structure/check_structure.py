@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""Checks the structure of the tree: dependencies, the purity of shared/, lengths, leftovers, tests of units
-and that they are built.
+"""Checks the structure of the tree: includes, the purity of shared/, lengths, leftovers, that units have tests and are built.
 
-usage: check_structure.py ROOT. Prints each violation as `file:line: what`; exit 1 if there are any.
+usage: check_structure.py ROOT [PLAN]. Prints each violation as `file:line: what`; exit 1 if there are any. PLAN: plan.json of
+a build of the tree; without it the newest in ROOT/build.
 """
 
+import fnmatch
 import os
 import re
 import sys
 from pathlib import Path
 
 import source_text
-from dependency_table import DependencyTable, TableError, path_of
+from check_includes import PAGE, check_includes, check_page, read_plan, table
 from unit_tests import check_registered, check_units
 
 MAX_FILE_LINES = 600
@@ -31,14 +32,6 @@ PURE_HEADERS = set(
     stack stdexcept string string_view system_error tuple type_traits utility variant vector version""".split()
 )
 
-STANDARD_HEADERS = PURE_HEADERS | set(
-    """any atomic barrier bitset cctype cerrno cfenv cfloat chrono cinttypes clocale cmath codecvt complex
-    condition_variable coroutine csetjmp csignal cstdarg cstdio ctime cuchar cwchar cwctype filesystem format
-    forward_list fstream future iomanip ios iosfwd iostream istream latch locale memory_resource mutex numbers ostream
-    random ranges ratio regex scoped_allocator semaphore shared_mutex sstream stop_token streambuf syncstream thread
-    typeindex typeinfo unordered_map unordered_set valarray""".split()
-)
-
 # Refused in shared/, qualified or not.
 IMPURE_WORDS = set(
     """float double unordered_map unordered_set unordered_multimap unordered_multiset chrono gettimeofday clock_gettime
@@ -51,9 +44,7 @@ IMPURE_WORDS = set(
 )
 
 # Refused in shared/ as names of the standard library only: World has a member hash.
-IMPURE_STANDARD_NAMES = set(
-    "hash time clock random thread mutex atomic locale system shuffle sample partition".split()
-)
+IMPURE_STANDARD_NAMES = set("hash time clock random thread mutex atomic locale system shuffle sample partition".split())
 
 # Names refused in shared/: compiler built-ins, and random distributions, which differ between libraries.
 IMPURE_NAMES = re.compile(r"__builtin_\w+|__sync_\w+|__atomic_\w+|\w+_distribution")
@@ -68,8 +59,8 @@ LAYOUT = (
     (ADDRESS_ORDER, "an order by address differs from run to run"),
 )
 
-# In shared/, but not a part of the simulation: programs that use it.
-EXAMPLES = "shared/examples/"
+# These may include everything: tests, and programs that use the installed library.
+NOT_OF_THE_PLAN = ("tests/", "shared/examples/")
 
 LEFTOVERS = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 MACHINE_PATHS = re.compile(r"(?<![\w./$}-])/(?:home|root|work|Users|builds|workspace)/[\w.]")
@@ -87,65 +78,26 @@ def tree_files(root):
                 yield path.as_posix(), (root / path).read_text(encoding="utf-8", errors="replace")
 
 
-def is_pure(path):
-    """True if the file is a part of the simulation."""
-    return path.startswith("shared/") and not path.startswith(EXAMPLES)
-
-
 def check_top_level(root):
     for entry in sorted(os.listdir(root)):
         if entry not in TOP_LEVEL and not entry.startswith("."):
             yield f"{entry}:1: no such file belongs at the top level: move it into a folder"
 
 
-def _check_quoted(path, header, table, root):
-    if table.folder_of(header) is None:
-        if table.may_include_header(path, header):
-            return None
-        return f'"{header}" is not a path from the root of the tree in a folder of docs/architecture.md'
-    if not (root / path_of(header)).is_file():
-        return f'"{header}" does not exist'
-    if table.may_include_folder(path, header) or table.may_include_header(path, header):
-        return None
-    return f"{table.folder_of(path)} may not include {header}"
-
-
-def _check_angled(path, header, table):
-    if is_pure(path):
-        return None if header in PURE_HEADERS else f"shared/ may not include <{header}>"
-    if header in STANDARD_HEADERS:
-        return None
-    return None if table.may_include_header(path, header) else f"<{header}> may not be included here"
-
-
-def check_includes(path, text, table, root):
-    if table.folder_of(path) is None:
-        yield f"{path}:1: its folder has no row in docs/architecture.md"
-        return
-    for line, header, quoted in source_text.includes_of(text):
-        wrong = _check_quoted(path, header, table, root) if quoted else _check_angled(path, header, table)
-        if wrong:
-            yield f"{path}:{line}: {wrong}"
-
-
-def check_words(path, text, table):
+def check_words(path, text, rows):
+    """Yields every name that the page allows only in other files."""
     code = source_text.code_of(text)
-    for word in sorted(table.forbidden_words(path)):
-        for match in re.finditer(re.escape(word) + r"\b", code):
-            yield f"{path}:{source_text.line_of(code, match.start())}: '{word}' may not be used here"
-
-
-def check_threads(path, text, architecture):
-    """A class that has a worker is in the table of threads."""
-    if not path.endswith(".h") or path.startswith(("protocol/work/", "tests/")) or not re.search(r"\bWorker<\w", source_text.code_of(text)):
-        return
-    owner = "".join(part.capitalize() for part in Path(path).stem.split("_"))
-    table = architecture.partition("\n### Threads\n")[2].partition("\n## ")[0]
-    if f"`{owner}`" not in table:
-        yield f"{path}:1: {owner} has a worker, but no row in the table of threads in docs/architecture.md"
+    for words, places in rows:
+        allowed = any(fnmatch.fnmatchcase(path, place) for place in re.findall(r"`([^`]+)`", places))
+        pattern = "|".join(re.escape(word) + r"\b" for word in re.findall(r"`([^`]+)`", words))
+        for match in () if allowed else re.finditer(pattern, code):
+            yield f"{path}:{source_text.line_of(code, match.start())}: '{match.group()}' may not be used here"
 
 
 def check_purity(path, text):
+    for line, header, quoted in source_text.includes_of(text):
+        if not quoted and header.isidentifier() and header not in PURE_HEADERS:
+            yield f"{path}:{line}: shared/ may not include <{header}>"
     code = source_text.code_of(text)
     for offset, word in source_text.words_of(code):
         name = word.removeprefix("std::")
@@ -164,59 +116,49 @@ def check_cpp_form(path, text):
         yield f"{path}:1: the file name is not in snake_case"
     if path.endswith(".h") and "#pragma once" not in source_text.code_of(text):
         yield f"{path}:1: the header lacks #pragma once"
-
-
-def check_test_namespace(path, text):
-    """Tests of several files may be compiled together."""
-    name = Path(path).stem
+    name = Path(path).stem  # tests of several files are compiled together
     if name.endswith("_test") and not re.search(rf"^namespace (platon::)?(\w+::)*{name} {{$", text, re.MULTILINE):
         yield f"{path}:1: a test file has a namespace of its own: namespace platon::{name}"
 
 
 def check_text(path, text):
     if Path(path).suffix in CODE_SUFFIXES or Path(path).name in ("CMakeLists.txt", "platon", "run"):
-        lines = text.count("\n")
-        if lines > MAX_FILE_LINES:
+        if (lines := text.count("\n")) > MAX_FILE_LINES:
             yield f"{path}:{lines}: {lines} lines, more than {MAX_FILE_LINES}"
     for pattern, what in ((LEFTOVERS, "is a leftover"), (MACHINE_PATHS, "is a path of one machine")):
         for match in pattern.finditer(text):
             yield f"{path}:{source_text.line_of(text, match.start())}: '{match.group()}' {what}"
 
 
-def check_tree(root):
+def check_tree(root, plan):
     """Yields every violation in the tree, except units without tests and tests that are not built."""
-    architecture = (root / "docs/architecture.md").read_text(encoding="utf-8")
-    table = DependencyTable(architecture)
+    page = (root / PAGE).read_text(encoding="utf-8")
+    words, product = table(page, "words"), {}
     yield from check_top_level(root)
-    for folder in table.folders():
-        if not (root / folder).is_dir():
-            yield f"docs/architecture.md:1: the folder {folder} has a row but does not exist"
-    files = list(tree_files(root))
-    for path, text in files:
+    yield from check_page(plan, page)
+    for path, text in tree_files(root):
         yield from check_text(path, text)
         if Path(path).suffix in CPP_SUFFIXES:
             yield from check_cpp_form(path, text)
-            yield from check_test_namespace(path, text)
-            yield from check_includes(path, text, table, root)
-            yield from check_words(path, text, table)
-            yield from check_threads(path, text, architecture)
-            if is_pure(path):
+            yield from check_words(path, text, words)
+            if not path.startswith(NOT_OF_THE_PLAN):
+                product[path] = text
+            if path.startswith("shared/") and path in product:
                 yield from check_purity(path, text)
+    yield from check_includes(plan, product, root)
 
 
 def main(arguments):
-    if len(arguments) != 2:
-        print("usage: check_structure.py ROOT", file=sys.stderr)
+    if len(arguments) not in (2, 3):
+        print("usage: check_structure.py ROOT [PLAN]", file=sys.stderr)
         return 2
     try:
         root = Path(arguments[1])
         files = dict(tree_files(root))
-        violations = [*check_tree(root), *check_units(list(files)), *check_registered(files)]
-    except (OSError, TableError) as error:
-        violations = [f"docs/architecture.md:1: {error}"]
-    for violation in violations:
-        print(violation)
-    print(f"{len(violations)} violations")
+        violations = [*check_tree(root, read_plan(root, *arguments[2:])), *check_units(list(files)), *check_registered(files)]
+    except (OSError, ValueError) as error:
+        violations = [f"{PAGE}:1: {error}"]
+    print(*violations, f"{len(violations)} violations", sep="\n")
     return 1 if violations else 0
 
 

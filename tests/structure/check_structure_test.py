@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Tests that each structure check finds a violation in a small tree."""
 
-import re
+import json
+import os
 import shutil
 import sys
 import tempfile
@@ -10,22 +11,53 @@ from pathlib import Path
 
 import check_functions
 import check_globals
+from check_includes import PAGE, Plan, read_plan, with_table
 from check_structure import check_tree
-from dependency_table import DependencyTable, TableError
 from unit_tests import check_registered, check_units
 
-ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
+ARCHITECTURE = (Path(__file__).parents[2] / PAGE).read_text(encoding="utf-8")
+
+# A part of the tree, and the files that need its links. {target: (beginnings, links, those that are PUBLIC)}
+PARTS = {
+    "platon_exact": (["shared/exact/", "shared/include/platon/exact/"], [], []),
+    "platon_physics": (["shared/physics/", "shared/include/platon/physics/"], ["platon_exact"], ["platon_exact"]),
+    "platon_game": (["shared/game/", "shared/include/platon/game/"], [], []),
+    "platon_protocol": (["protocol/"], ["platon_physics", "PkgConfig::UTF8PROC"], ["platon_physics"]),
+    "platon_server_app": (["server/app/"], ["platon_protocol"], ["platon_protocol"]),
+    "platon_client_scene": (["client/scene/"], ["platon_exact"], ["platon_exact"]),
+    "platon_client_play": (["client/play/"], ["platon_client_scene", "platon_server_app"], ["platon_client_scene"]),
+}
+FILES = {
+    "shared/include/platon/exact/thing.h": "",
+    "shared/include/platon/physics/thing.h": '#include "platon/exact/thing.h"\n',
+    "shared/physics/private.h": "",
+    "protocol/thing.h": '#include "platon/physics/thing.h"\n',
+    "protocol/thing.cpp": "#include <utf8proc.h>\n#include <vector>\n",
+    "server/app/thing.h": '#include "protocol/thing.h"\n',
+    "client/scene/thing.h": '#include "platon/exact/thing.h"\n',
+    "client/play/thing.h": '#include "client/scene/thing.h"\n',
+    "client/play/match/embedded_server.cpp": '#include "server/app/thing.h"\n',
+}
+
+
+def plan_of(parts):
+    rows = {part: {"platon_beginnings": row[0], "LINK_LIBRARIES": row[1], "INTERFACE_LINK_LIBRARIES": row[2]} for part, row in parts.items()}
+    return {"parts": rows, "outside": {"utf8proc.h": "PkgConfig::UTF8PROC", "GL/": "platon_opengl"}}
 
 
 class Tree(unittest.TestCase):
-    """A temporary tree with the real docs/architecture.md and one header in every folder."""
+    """A temporary tree of a few folders with the words of the real docs/architecture.md."""
 
     def setUp(self):
         self.root = Path(tempfile.mkdtemp(prefix="platon-structure-"))
         self.addCleanup(shutil.rmtree, self.root)
-        self.write("docs/architecture.md", ARCHITECTURE)
-        for folder in DependencyTable(ARCHITECTURE).folders():
-            self.write(f"{folder}/thing.h", "#pragma once\n")
+        self.use(PARTS)
+        for path, text in FILES.items():
+            self.write(path, ("#pragma once\n" if path.endswith(".h") else "") + text)
+
+    def use(self, parts):
+        self.plan = Plan(plan_of(parts))
+        self.write(PAGE, with_table(self.plan, ARCHITECTURE))
 
     def write(self, path, text):
         (self.root / path).parent.mkdir(parents=True, exist_ok=True)
@@ -33,7 +65,7 @@ class Tree(unittest.TestCase):
 
     def violations(self, path, text):
         self.write(path, text)
-        found = list(check_tree(self.root))
+        found = list(check_tree(self.root, self.plan))
         (self.root / path).unlink()
         return found
 
@@ -48,27 +80,81 @@ class Tree(unittest.TestCase):
 
 
 class Includes(Tree):
-    def test_a_folder_includes_what_its_row_names(self):
-        for folder, header in (("shared/game", "platon/physics"), ("protocol/transport", "protocol"), ("client/play", "server/app"),
-                               ("client/scene", "levels/drawing"), ("tests", "client/gl"), ("server/net", "server/net")):  # fmt: skip
-            path = f"{folder}/main.cpp"
-            self.assert_allowed(path, f'// #include "lost.h"\n#include "{header}/thing.h"\n')
-        for folder, header in (("shared/physics", "platon/game"), ("protocol", "server/match"), ("server/match", "server/net"),
-                               ("server/app", "client/play"), ("client/scene", "protocol"), ("levels/check", "levels/tool")):  # fmt: skip
-            path = f"{folder}/file.cpp"
-            self.assert_refused(path, f'\n#include "{header}/thing.h"\n', 2, f"may not include {header}/thing.h")
+    def test_a_file_includes_what_its_target_links(self):
+        self.assert_allowed("client/play/file.cpp", '// #include "lost.h"\n#include "client/scene/thing.h"\n#include <chrono>\n')
+        for path, header, target in (("client/scene/file.cpp", "protocol/thing.h", "platon_protocol"),
+                                     ("server/app/file.cpp", "client/play/thing.h", "platon_client_play"),
+                                     ("protocol/file.cpp", "platon/exact/thing.h", "platon_exact")):  # fmt: skip
+            self.assert_refused(path, f'\n#include "{header}"\n', 2, f"does not link {target}, which has {header}")
+
+    def test_libraries_from_outside_are_linked_too(self):
+        self.assert_allowed("protocol/file.cpp", "#include <utf8proc.h>\n")
+        self.assert_refused("client/scene/file.cpp", "  #  include <GL/glew.h>\n", 1, "does not link platon_opengl")
+        self.assert_refused("client/play/file.cpp", "#include <unheard_of.h>\n", 1, "unheard_of.h is neither")
 
     def test_includes_name_existing_files_from_the_root(self):
-        self.assert_refused("server/app/file.cpp", '#include "thing.h"\n', 1, "thing.h")
+        self.assert_refused("server/app/file.cpp", '#include "thing.h"\n', 1, "thing.h is neither")
+        self.assert_refused("server/app/file.cpp", '#include "tests/thing.h"\n', 1, "tests/thing.h is neither")
         self.assert_refused("server/app/file.cpp", '#include "server/app/lost.h"\n', 1, "does not exist")
 
-    def test_outside_headers_have_their_files(self):
-        self.assert_allowed("client/gl/file.cpp", "#include <GL/glew.h>\n#include <chrono>\n")
-        self.assert_refused("client/scene/file.cpp", "  #  include <GL/glew.h>\n", 1, "GL/glew.h")
-        self.assert_refused("client/play/file.cpp", "#include <unheard_of.h>\n", 1, "unheard_of.h")
+    def test_every_file_has_a_target(self):
+        self.assert_refused("shared/utils/file.cpp", "\n", 1, "no target of CMake has this file")
 
-    def test_a_folder_without_a_row_is_refused(self):
-        self.assert_refused("shared/utils/file.cpp", "\n", 1, "no row")
+    def test_headers_beside_the_sources_of_shared_are_private(self):
+        self.assert_allowed("shared/physics/file.cpp", '#include "shared/physics/private.h"\n')
+        self.assert_refused("protocol/file.cpp", '#include "shared/physics/private.h"\n', 1, "private to shared/")
+
+    def test_of_the_client_only_the_embedded_server_includes_the_server(self):
+        self.assert_refused("client/play/file.cpp", '#include "server/app/thing.h"\n', 1, "only the embedded server")
+
+
+class Links(Tree):
+    def assert_refused_link(self, part, links, public, word):
+        self.use(PARTS | {part: (PARTS[part][0], [*PARTS[part][1], *links], [*PARTS[part][2], *public])})
+        found = [line for line in check_tree(self.root, self.plan) if word in line]
+        self.assertEqual(len(found), 1, word)
+        self.assertTrue(found[0].startswith(f"{PARTS[part][0][0].split('/')[0]}/CMakeLists.txt:1: {part} "), found[0])
+
+    def test_every_link_is_needed(self):
+        self.assert_refused_link("platon_server_app", ["platon_exact"], [], "links platon_exact, of which it includes nothing")
+
+    def test_public_is_what_headers_include(self):
+        self.assert_refused_link("platon_protocol", [], ["PkgConfig::UTF8PROC"], "must link PkgConfig::UTF8PROC PRIVATE")
+        self.use(PARTS)
+        self.write("protocol/other.h", "#pragma once\n#include <utf8proc.h>\n")
+        self.assertRegex("".join(check_tree(self.root, self.plan)), "platon_protocol must link PkgConfig::UTF8PROC PUBLIC: a header")
+
+    def test_links_go_one_way(self):
+        self.assert_refused_link("platon_client_scene", ["platon_client_play"], [], "links platon_client_play, which CMake defines later")
+        for part, link, word in (("platon_physics", "platon_game", "physics may not use game"),
+                                 ("platon_protocol", "platon_server_app", "protocol may not use server"),
+                                 ("platon_server_app", "platon_client_scene", "server may not use client")):  # fmt: skip
+            self.assert_refused_link(part, [link], [], word)
+
+
+class Page(Tree):
+    def test_its_table_is_that_of_the_links(self):
+        page = with_table(self.plan, ARCHITECTURE)
+        self.assert_refused(PAGE, page.replace("| `shared/exact` |", "| `shared/game` |"), 1, "not that of the links")
+        self.assertIn("\n| `protocol` | message schemas", page)
+        self.assertIn(" | `shared/physics` | PkgConfig::UTF8PROC | open a socket", page)
+
+    def test_its_rows_say_what_the_files_hold(self):
+        self.use(PARTS | {"platon_new": (["client/new/"], [], [])})
+        self.assertRegex("".join(check_tree(self.root, self.plan)), "the row of `client/new` does not say what they hold")
+
+    def test_the_plan_is_that_of_the_newest_build(self):
+        with self.assertRaisesRegex(ValueError, "configure with"):
+            read_plan(self.root)
+        for build, parts, time in (("release", PARTS, 3), ("debug", {}, 2)):
+            self.write(f"build/{build}/plan.json", json.dumps(plan_of(parts)))
+            os.utime(self.root / f"build/{build}/plan.json", (time, time))
+        self.write("CMakeLists.txt", "")
+        with self.assertRaisesRegex(ValueError, "release/plan.json is older than .*/CMakeLists.txt: configure again"):
+            read_plan(self.root)
+        os.utime(self.root / "CMakeLists.txt", (1, 1))
+        self.assertEqual(read_plan(self.root).links, self.plan.links)
+        self.assertEqual(read_plan(self.root, self.root / "build/debug/plan.json").links, {})
 
 
 class Purity(Tree):
@@ -88,15 +174,7 @@ class Purity(Tree):
     def test_words_of_a_few_files(self):
         self.assert_refused("shared/game/file.cpp", "\nstd::sort(a, b);\n", 2, "std::sort")
         self.assert_allowed("shared/physics/grid.cpp", "std::sort(a, b);\n")
-        self.assert_refused("server/match/match.cpp", "auto now = std::chrono::steady_clock::now();\n", 1, "clock::now")
-        self.assert_allowed("protocol/work/worker.cpp", "std::thread thread;\n")
-        self.assert_refused("client/lobby/thing.cpp", "std::jthread thread;\n", 1, "std::jthread")
-        self.assert_refused("server/app/log.cpp", "spdlog::init_thread_pool(1, 1);\n", 1, "thread_pool")
-
-    def test_threads_are_in_their_table(self):
-        member = "#pragma once\nWorker<int> worker_;\n"
-        self.assert_allowed("client/lobby/name_lookup.h", member)
-        self.assert_refused("client/lobby/hidden_work.h", member, 1, "HiddenWork has a worker")
+        self.assert_refused("server/app/other.cpp", "auto now = std::chrono::steady_clock::now();\n", 1, "clock::now")
 
     def test_code_after_a_tricky_literal_is_still_read(self):
         for literal in ("'\"'", '"\\\\"', '"/*"', 'R"x(")x"', "1'000'000"):
@@ -105,7 +183,7 @@ class Purity(Tree):
 
 class Form(Tree):
     def test_long_file(self):
-        self.assert_allowed("levels/tool/file.cpp", "\n" * 600)
+        self.assert_allowed("server/app/file.cpp", "\n" * 600)
         self.assert_refused("tests/CMakeLists.txt", "\n" * 601, 601, "601 lines")
 
     def test_leftovers_and_machine_paths(self):
@@ -119,15 +197,7 @@ class Form(Tree):
 
     def test_top_level(self):
         self.write("extra/file.txt", "\n")
-        self.assertRegex("".join(check_tree(self.root)), "^extra:1: ")
-
-
-class Tables(Tree):
-    def test_rows_go_one_way(self):
-        page, changes = re.subn(r"^(\| `protocol` \|[^|]*\|) `platon` \|", r"\1 `platon` `server/app` |", ARCHITECTURE, flags=re.MULTILINE)
-        self.assertEqual(changes, 1)
-        with self.assertRaisesRegex(TableError, "protocol may include server/app, whose row comes later"):
-            DependencyTable(page)
+        self.assertRegex("".join(check_tree(self.root, self.plan)), "^extra:1: ")
 
 
 class Functions(Tree):

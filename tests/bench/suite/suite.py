@@ -139,9 +139,8 @@ def tables(lanes):
 def is_product(target):
     if target.endswith("_testing"):
         return False
-    return target.startswith(("platon_client", "platon_server", "platon_level", "platon-")) or target in (
-        "platon_headers", "platon_exact", "platon_physics", "platon_game", "platon_protocol", "platon_drawing",
-        "platon_json_text", "platon_program_options", "platon_sim")  # fmt: skip
+    return target.startswith(("platon_client", "platon_server", "platon_levels", "platon_protocol", "platon-")) or target in (
+        "platon_headers", "platon_exact", "platon_physics", "platon_game", "platon_sim")  # fmt: skip
 
 
 def run(root, writes):
