@@ -94,6 +94,15 @@ def check_words(path, text, rows):
             yield f"{path}:{source_text.line_of(code, match.start())}: '{match.group()}' may not be used here"
 
 
+def check_threads(path, text, page):
+    """A class that has a worker is in the table of threads."""
+    if not path.endswith(".h") or path.startswith(("protocol/work/", "tests/")) or not re.search(r"\bWorker<\w", source_text.code_of(text)):
+        return
+    owner = "".join(part.capitalize() for part in Path(path).stem.split("_"))
+    if f"`{owner}`" not in page.partition("\n### Threads\n")[2].partition("\n## ")[0]:
+        yield f"{path}:1: {owner} has a worker, but no row in the table of threads in {PAGE}"
+
+
 def check_purity(path, text):
     for line, header, quoted in source_text.includes_of(text):
         if not quoted and header.isidentifier() and header not in PURE_HEADERS:
@@ -141,6 +150,7 @@ def check_tree(root, plan):
         if Path(path).suffix in CPP_SUFFIXES:
             yield from check_cpp_form(path, text)
             yield from check_words(path, text, words)
+            yield from check_threads(path, text, page)
             if not path.startswith(NOT_OF_THE_PLAN):
                 product[path] = text
             if path.startswith("shared/") and path in product:

@@ -175,6 +175,13 @@ class Purity(Tree):
         self.assert_refused("shared/game/file.cpp", "\nstd::sort(a, b);\n", 2, "std::sort")
         self.assert_allowed("shared/physics/grid.cpp", "std::sort(a, b);\n")
         self.assert_refused("server/app/other.cpp", "auto now = std::chrono::steady_clock::now();\n", 1, "clock::now")
+        self.assert_refused("client/play/thing.cpp", "std::jthread thread;\n", 1, "std::jthread")
+        self.assert_refused("server/app/log.cpp", "spdlog::init_thread_pool(1, 1);\n", 1, "thread_pool")
+
+    def test_threads_are_in_their_table(self):
+        member = "#pragma once\nWorker<int> worker_;\n"
+        self.assert_allowed("client/play/replay_screen.h", member)
+        self.assert_refused("client/play/hidden_work.h", member, 1, "HiddenWork has a worker")
 
     def test_code_after_a_tricky_literal_is_still_read(self):
         for literal in ("'\"'", '"\\\\"', '"/*"', 'R"x(")x"', "1'000'000"):
