@@ -13,7 +13,7 @@ namespace platon {
 namespace {
 
 // A write to a closed pipe fails instead of raising SIGPIPE, which is blocked.
-std::shared_ptr<spdlog::details::thread_pool> startThread(std::size_t queueLines) {
+std::shared_ptr<spdlog::details::thread_pool> startPool(std::size_t queueLines) {
   const BlockedSignals blocked;
   return std::make_shared<spdlog::details::thread_pool>(queueLines, 1);
 }
@@ -22,7 +22,7 @@ std::shared_ptr<spdlog::details::thread_pool> startThread(std::size_t queueLines
 
 AsyncLineWriter::AsyncLineWriter(int descriptor)
     : sink_(std::make_shared<DescriptorSink>(descriptor)),
-      thread_(startThread(kQueueLines)),
+      thread_(startPool(kQueueLines)),
       logger_(std::make_shared<spdlog::async_logger>("log", sink_, thread_,
                                                      spdlog::async_overflow_policy::overrun_oldest)) {}
 
