@@ -197,7 +197,7 @@ FAULTS = [
           "      part.line(post.cut.a, post.cut.b);\n      part.line(post.corner, post.corner);\n", "",
           "corners of faces do not block",
           "CrossingTest.CornersBlock"),
-    Fault("rest-not-turned", PHYSICS + "step/slide.cpp", "  rest = rotated(rest, rotation);\n", "",
+    Fault("rest-not-turned", PHYSICS + "step/slide.cpp", "  remaining = rotated(remaining, rotation);\n", "",
           "a rehome does not rotate the remaining displacement",
           "FloorOverEdgeTest.RunningKeepsSpeedAndHeight"),
     at_length("wanted-not-turned", PHYSICS + "step/slide.cpp", "  tick = rotated(tick, rotation);\n", "",

@@ -76,7 +76,7 @@ IDEAL_FAULTS = [
               "rotated(leg_.displacement, instances_.all()[index].fromHome)", "leg_.displacement",
               "the displacement is not rotated into the frame of a further instance",
               "InstancesTest.SegmentsBehindAnEdgeActAsOnOnePlane"),
-    at_length("rest-lost-behind-a-slide", PHYSICS + "step/slide.cpp", "scaled(rest, plan.share)", "rest",
+    at_length("rest-lost-behind-a-slide", PHYSICS + "step/slide.cpp", "scaled(remaining, plan.share)", "remaining",
               "the remaining displacement is lost at the end of a slide",
               "LatticeErrorTest.NeverExceedsTwoSubunits"),
     at_length("segment-of-another-instance-skipped", PHYSICS + "step/leg.cpp",
@@ -117,7 +117,7 @@ IDEAL_FAULTS = [
           "SlideOverJointsTest.NeitherSlowsNorLifts"),
     at_length("wedge-at-every-corner", PHYSICS + "step/slide.cpp",
               "  if (restsOn(hit)) return leadsIntoContact(PrecisePoint());\n"
-              "  return leadsIntoContact(toHome(instances, hit, alongEdge(hit.edge.half.normal, fromHome(instances, hit, rest))));",
+              "  return leadsIntoContact(toHome(instances, hit, alongEdge(hit.edge.half.normal, fromHome(instances, hit, remaining))));",
               "  return hit.segment != ~0u;",
               "a slide that leads away from its contact is treated as a wedge",
               "InstancesTest.RehomeForgetsTheStopOfTheOldFrame"),

@@ -27,13 +27,13 @@ EntityStep::EntityStep(const Entity& entity, EntityState& state, Instances& inst
 // The displacement of the tick does not change during slides: a segment removes only the component towards it, and only
 // while it touches.
 void EntityStep::translate(Point velocity, Angle heading) {
-  slide_.tick = slide_.rest = rotatePrecise(velocity, rotationOf(heading));
-  mover_.start(slide_.rest);
+  slide_.tick = slide_.remaining = rotatePrecise(velocity, rotationOf(heading));
+  mover_.start(slide_.remaining);
   if (velocity == Point()) {  // a rotation may have brought the shape to other edges
     insertReachedInstances();
     return;
   }
-  for (int legs = 0; legs < kMaxLegs && mover_.moves() <= kMaxLegs - kMovesOfLeg && slide_.rest != PrecisePoint();
+  for (int legs = 0; legs < kMaxLegs && mover_.moves() <= kMaxLegs - kMovesOfLeg && slide_.remaining != PrecisePoint();
        ++legs) {
     const LegPlan plan = nextPlan();
     if (plan.displacement == PrecisePoint()) break;
@@ -58,7 +58,7 @@ bool EntityStep::insertReachedInstances() {
 LegPlan EntityStep::nextPlan() {
   LegPlan plan = slide_.next();
   if (plan.slides && plan.displacement == PrecisePoint() &&
-      pass(*slide_.contact, *slide_.contact, slide_.place, slide_.rest))
+      pass(*slide_.contact, *slide_.contact, slide_.place, slide_.remaining))
     plan = slide_.next();
   slide_.passing.reset();
   if (!plan.slides) slide_.contact.reset();
@@ -68,23 +68,23 @@ LegPlan EntityStep::nextPlan() {
 // Moves to the end of the leg and reports the segment that stopped it.
 void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
   const PrecisePoint end = slide_.endOf(leg, plan);
-  const PrecisePoint rest = slide_.restAfter(leg, plan);
+  const PrecisePoint remaining = slide_.remainingAfter(leg, plan);
   const bool progresses = maxNorm(end - slide_.place) > Tolerances::kNoProgress;
   const bool isStopped = leg.isStopped();
   if (isStopped) slide_.turnCorner(*leg.hit, end);
-  if (isStopped && !progresses && slide_.contact && isWedged(*leg.hit)) return stopInWedge(*leg.hit, rest);
-  if (isStopped && isBlockedByEnd(slide_, *leg.hit, end, rest) &&
-      pass(*leg.hit, slide_.contact ? *slide_.contact : *leg.hit, end, rest))
+  if (isStopped && !progresses && slide_.contact && isWedged(*leg.hit)) return stopInWedge(*leg.hit, remaining);
+  if (isStopped && isBlockedByEnd(slide_, *leg.hit, end, remaining) &&
+      pass(*leg.hit, slide_.contact ? *slide_.contact : *leg.hit, end, remaining))
     return;
   const bool isNear = maxNorm(end - precise(mover_.position())) <= Tolerances::kContactGap * PrecisePoint::kOne;
-  slide_.rest = rest;
+  slide_.remaining = remaining;
   slide_.contact.reset();
   if (progresses) idleLegs_ = 0;
   if ((!progresses && isNear) || follow(mover_, {end, leg.hit ? &*leg.hit : nullptr, slide_.tick})) {
     if (progresses || plan.cut) slide_.place = end;
     if (isStopped) slide_.contact = leg.hit;
   } else {
-    if (!fallBack(mover_, end)) slide_.rest = PrecisePoint();
+    if (!fallBack(mover_, end)) slide_.remaining = PrecisePoint();
     slide_.place = precise(mover_.position());
   }
   if (isStopped) contacts_.addContact(*leg.hit);
@@ -97,24 +97,24 @@ bool EntityStep::isWedged(const LegHit& hit) {
 }
 
 // Between the present contact and `hit`, unless an end of one of them can be passed.
-void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint rest) {
+void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint remaining) {
   const LegHit contact = *slide_.contact;
   const PrecisePoint place = slide_.place;
-  if (pass(hit, contact, place, rest) || pass(contact, hit, place, rest) || pass(hit, hit, place, rest) ||
-      pass(contact, contact, place, rest))
+  if (pass(hit, contact, place, remaining) || pass(contact, hit, place, remaining) ||
+      pass(hit, hit, place, remaining) || pass(contact, contact, place, remaining))
     return;
   contacts_.addContact(hit);
-  slide_.rest = PrecisePoint();
+  slide_.remaining = PrecisePoint();
 }
 
 // Passes the segment end that `end` touches, if it protrudes slightly from the edge of `from`, on which the ideal place
 // is at `place`. The next leg leads on from there.
-bool EntityStep::pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint rest) {
-  const auto nudge = findNudge(mover_, slide_, end, homeNormalOf(mover_.instances(), from), place, rest);
+bool EntityStep::pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint remaining) {
+  const auto nudge = findNudge(mover_, slide_, end, homeNormalOf(mover_.instances(), from), place, remaining);
   if (!nudge) return false;
   mover_.moveTo(nudge->to);
   slide_.place = precise(nudge->to);
-  slide_.rest = rest;
+  slide_.remaining = remaining;
   slide_.contact.reset();
   slide_.passing = LegPlan{precise(nudge->onwards)};
   return true;

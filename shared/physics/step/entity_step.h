@@ -71,9 +71,9 @@ class EntityStep {
  private:
   LegPlan nextPlan();
   void executeLeg(Leg& leg, const LegPlan& plan);
-  void stopInWedge(const LegHit& hit, PrecisePoint rest);
+  void stopInWedge(const LegHit& hit, PrecisePoint remaining);
   bool isWedged(const LegHit& hit);
-  bool pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint rest);
+  bool pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint remaining);
   void rehome();
   void storeRemainder();
 

@@ -24,7 +24,7 @@ int128 squared(PrecisePoint vector) {
 
 // The squared length of the remaining displacement along the edge of `hit`.
 int128 squaredSlide(const Slide& slide, const LegHit& hit) {
-  return squared(alongEdge(homeNormalOf(slide.instances, hit), slide.rest));
+  return squared(alongEdge(homeNormalOf(slide.instances, hit), slide.remaining));
 }
 
 // Whether the shape is too small for nudges: it could be nudged back and forth between the two sides of an end.
@@ -152,20 +152,20 @@ Point EndPassage::awayFromEnd() const {
 
 }  // namespace
 
-bool isBlockedByEnd(const Slide& slide, const LegHit& hit, PrecisePoint place, PrecisePoint rest) {
+bool isBlockedByEnd(const Slide& slide, const LegHit& hit, PrecisePoint place, PrecisePoint remaining) {
   if (hit.hit.side != Hit::Side::kSegmentEnd) return false;
-  const int128 before = slide.contact ? squaredSlide(slide, *slide.contact) : squared(slide.rest);
+  const int128 before = slide.contact ? squaredSlide(slide, *slide.contact) : squared(slide.remaining);
   if (1024 * squaredSlide(slide, hit) >= before) return false;
-  const EdgeSlide along = slide.slideFrom(hit, place, rest);
+  const EdgeSlide along = slide.slideFrom(hit, place, remaining);
   return !along.cut || along.share > Fraction{1, 32};
 }
 
 std::optional<Nudge> findNudge(Mover& mover, const Slide& slide, const LegHit& hit, Point normal, PrecisePoint from,
-                               PrecisePoint rest) {
+                               PrecisePoint remaining) {
   EndPassage passage(mover, slide.tick, hit);
   if (!passage.touchesEnd(from)) return std::nullopt;
   const bool straight = normal == passage.normal();
-  const PrecisePoint onwards = straight ? rest : alongEdge(normal, rest);
+  const PrecisePoint onwards = straight ? remaining : alongEdge(normal, remaining);
   const Point reached = mover.roundedAt(from);
   const Point target = reached + rounded(onwards);
   if (target == reached || !mover.allInRange(target)) return std::nullopt;

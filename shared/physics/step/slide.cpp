@@ -18,15 +18,15 @@ PrecisePoint onto(const Instances& instances, const LegHit& hit, PrecisePoint pl
 // Where the place is already at the end of the edge, the path leads past the corner.
 LegPlan Slide::next() const {
   if (passing) return *passing;
-  if (contact && distanceTo({contact->edge.half.normal, 0}, fromHome(instances, *contact, rest)) < 0) {
+  if (contact && distanceTo({contact->edge.half.normal, 0}, fromHome(instances, *contact, remaining)) < 0) {
     const LegPlan plan = slideAlongContact();
     if (!plan.cut || plan.displacement != PrecisePoint()) return plan;
   }
-  return {rest};
+  return {remaining};
 }
 
 LegPlan Slide::slideAlongContact() const {
-  const EdgeSlide along = slideFrom(*contact, place, rest);
+  const EdgeSlide along = slideFrom(*contact, place, remaining);
   if (maxNorm(along.displacement) < Tolerances::kRest && restsOn(*contact)) return {{}, {1, 1}, true};
   return {toHome(instances, *contact, along.displacement), along.share, true, along.cut};
 }
@@ -34,7 +34,7 @@ LegPlan Slide::slideAlongContact() const {
 // Whether the slides of the remaining displacement and of the whole tick along the edge are too short to be slides.
 bool Slide::restsOn(const LegHit& hit) const {
   const Point normal = hit.edge.half.normal;
-  return maxNorm(alongEdge(normal, fromHome(instances, hit, rest))) < Tolerances::kRest &&
+  return maxNorm(alongEdge(normal, fromHome(instances, hit, remaining))) < Tolerances::kRest &&
          maxNorm(alongEdge(normal, fromHome(instances, hit, tick))) < Tolerances::kRest;
 }
 
@@ -44,14 +44,14 @@ PrecisePoint Slide::endOf(const Leg& leg, const LegPlan& plan) const {
   return leg.hit ? onto(instances, *leg.hit, end) : end;
 }
 
-PrecisePoint Slide::restAfter(const Leg& leg, const LegPlan& plan) const {
+PrecisePoint Slide::remainingAfter(const Leg& leg, const LegPlan& plan) const {
   const Fraction time = leg.hit ? leg.hit->hit.time : Fraction{1, 1};
-  return rest - scaled(scaled(scaled(rest, plan.share), leg.share), time);
+  return remaining - scaled(scaled(scaled(remaining, plan.share), leg.share), time);
 }
 
 void Slide::turnCorner(LegHit& hit, PrecisePoint end) const {
   const PrecisePoint there = instances.idealOf(hit.placement, end);
-  const PrecisePoint onwards = fromHome(instances, hit, rest);
+  const PrecisePoint onwards = fromHome(instances, hit, remaining);
   if (roomOn(hit.edge, there, onwards).isEnough()) return;
   const EdgeSlide along = slideOn(hit.edge, there, onwards);
   if (maxNorm(along.displacement) > Tolerances::kNoProgress) return;
@@ -71,7 +71,7 @@ bool Slide::isOnContact(const LegHit& hit) const {
 
 bool Slide::isCaughtAt(const LegHit& hit) const {
   if (restsOn(hit)) return leadsIntoContact(PrecisePoint());
-  return leadsIntoContact(toHome(instances, hit, alongEdge(hit.edge.half.normal, fromHome(instances, hit, rest))));
+  return leadsIntoContact(toHome(instances, hit, alongEdge(hit.edge.half.normal, fromHome(instances, hit, remaining))));
 }
 
 // Whether a displacement of the place at once enters the obstacle of the contact.
@@ -84,7 +84,7 @@ bool Slide::leadsIntoContact(PrecisePoint displacement) const {
 
 void Slide::rotateFrame(Angle turn) {
   const Rotation rotation = rotationOf(turn);
-  rest = rotated(rest, rotation);
+  remaining = rotated(remaining, rotation);
   tick = rotated(tick, rotation);
   if (passing) passing->displacement = rotated(passing->displacement, rotation);
   contact.reset();

@@ -27,7 +27,7 @@ struct Slide {
   const Instances& instances;
   PrecisePoint place;                ///< the ideal place of the home instance
   PrecisePoint tick{};               ///< displacement of the whole tick
-  PrecisePoint rest{};               ///< displacement still to be used; parallel to tick
+  PrecisePoint remaining{};          ///< displacement still to be used; parallel to tick
   std::optional<LegHit> contact{};   ///< the edge that the place is on and was stopped by
   std::optional<LegPlan> passing{};  ///< the next leg, on the free path past a segment end
 
@@ -37,14 +37,14 @@ struct Slide {
   /// Where a leg of this plan ends: on the contact if it slides, which requires one, and on the edge that it hits.
   PrecisePoint endOf(const Leg& leg, const LegPlan& plan) const;
   /// What the leg leaves of the remaining displacement.
-  PrecisePoint restAfter(const Leg& leg, const LegPlan& plan) const;
+  PrecisePoint remainingAfter(const Leg& leg, const LegPlan& plan) const;
   /// Where `end` is at the corner that ends the edge of `hit`: changes `hit` to the next edge of the obstacle if that
   /// stops the remaining displacement.
   void turnCorner(LegHit& hit, PrecisePoint end) const;
 
-  /// The slide of the home place `from` along the edge that was hit, in the frame of its part.
-  EdgeSlide slideFrom(const LegHit& hit, PrecisePoint from, PrecisePoint remaining) const {
-    return slideOn(hit.edge, instances.idealOf(hit.placement, from), fromHome(instances, hit, remaining));
+  /// The slide of the home place `from` by a displacement along the edge that was hit, in the frame of its part.
+  EdgeSlide slideFrom(const LegHit& hit, PrecisePoint from, PrecisePoint displacement) const {
+    return slideOn(hit.edge, instances.idealOf(hit.placement, from), fromHome(instances, hit, displacement));
   }
   /// Whether `hit` is on the edge of the contact. Requires a contact.
   bool isOnContact(const LegHit& hit) const;

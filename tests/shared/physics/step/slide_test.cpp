@@ -16,7 +16,7 @@ class SlideTest : public StepParts {
 
   Slide slideBy(PrecisePoint displacement) {
     Slide slide{instances_, precise(mover().position())};
-    slide.tick = slide.rest = displacement;
+    slide.tick = slide.remaining = displacement;
     return slide;
   }
   // The next leg of the path, which the path then has made.
@@ -25,7 +25,7 @@ class SlideTest : public StepParts {
     Leg leg{plan.displacement};
     prepareLeg(leg, mover(), slide.place, plan.slides ? &*slide.contact : nullptr, refused_);
     const PrecisePoint end = slide.endOf(leg, plan);
-    slide.rest = slide.restAfter(leg, plan);
+    slide.remaining = slide.remainingAfter(leg, plan);
     slide.place = end;
     slide.contact = leg.hit;
     return leg;
@@ -42,7 +42,7 @@ TEST_F(SlideTest, LeavesAnEdgeThatDoesNotStopIt) {
   Slide slide = slideBy({kOne, -kOne});
   made(slide);
   ASSERT_TRUE(slide.contact);
-  slide.rest = {3 * kOne, kOne / 8};
+  slide.remaining = {3 * kOne, kOne / 8};
   EXPECT_FALSE(slide.next().slides);
 }
 
@@ -52,7 +52,7 @@ TEST_F(SlideTest, StopsExactlyOnTheEdgeAndSlidesAlongIt) {
   slide.place = {0, 3 * kOne / 8};
   made(slide);
   EXPECT_EQ(slide.place, (PrecisePoint{15 * kOne / 2, 0}));
-  EXPECT_EQ(slide.rest, (PrecisePoint{65 * kOne / 2, -13 * kOne / 8}));
+  EXPECT_EQ(slide.remaining, (PrecisePoint{65 * kOne / 2, -13 * kOne / 8}));
   const LegPlan plan = slide.next();
   EXPECT_TRUE(plan.slides);
   EXPECT_FALSE(plan.cut);
@@ -70,17 +70,17 @@ TEST_F(SlideTest, ASlideEndsWithTheEdge) {
   EXPECT_EQ(plan.displacement, (PrecisePoint{110 * kOne, 0}));
   EXPECT_EQ(plan.share, (Fraction{1, 2}));
   const Leg leg{plan.displacement};
-  EXPECT_EQ(slide.restAfter(leg, plan), (PrecisePoint{110 * kOne, -kOne / 2}));
+  EXPECT_EQ(slide.remainingAfter(leg, plan), (PrecisePoint{110 * kOne, -kOne / 2}));
 }
 
 TEST_F(SlideTest, AtTheEndOfTheEdgeItLeadsPastTheCorner) {
   Slide slide = slideBy({0, -kOne});
   made(slide);
   slide.place = {110 * kOne, 0};
-  slide.rest = {5 * kOne, -kOne};
+  slide.remaining = {5 * kOne, -kOne};
   EXPECT_FALSE(slide.next().slides);
-  EXPECT_EQ(slide.next().displacement, slide.rest);
-  slide.rest = {-5 * kOne, -kOne};
+  EXPECT_EQ(slide.next().displacement, slide.remaining);
+  slide.remaining = {-5 * kOne, -kOne};
   EXPECT_TRUE(slide.next().slides) << "back along the edge";
 }
 
@@ -110,9 +110,9 @@ TEST_F(SlideTest, TurnsACornerToTheNextEdgeThatStopsIt) {
   ASSERT_TRUE(slide.contact);
   ASSERT_EQ(slide.contact->edge.half.normal, Point(0, 20));
   const PrecisePoint corner{-90 * kOne, 0};
-  const auto normalAfter = [&](PrecisePoint rest) {
+  const auto normalAfter = [&](PrecisePoint remaining) {
     LegHit hit = *slide.contact;
-    slide.rest = rest;
+    slide.remaining = remaining;
     slide.turnCorner(hit, corner);
     return hit.edge.half.normal;
   };
@@ -133,7 +133,7 @@ TEST_F(SlideTest, ABodyIsCaughtBetweenEdgesThatLeadIntoEachOther) {
   EXPECT_FALSE(slide.isOnContact(*leg.hit));
   EXPECT_TRUE(slide.isOnContact(*slide.contact));
   EXPECT_TRUE(slide.isCaughtAt(*leg.hit));
-  slide.rest = {9 * kOne, 7 * kOne};
+  slide.remaining = {9 * kOne, 7 * kOne};
   EXPECT_FALSE(slide.isCaughtAt(*leg.hit)) << "the wall leads up, away from the floor";
 }
 
@@ -141,10 +141,10 @@ TEST_F(SlideTest, TurnsWithTheFrame) {
   Slide slide = slideBy({5 * kOne, -kOne});
   made(slide);
   slide.passing = LegPlan{{kOne, 0}};
-  const PrecisePoint rest = slide.rest;
+  const PrecisePoint remaining = slide.remaining;
   slide.rotateFrame(Angle(9000));
   EXPECT_EQ(slide.tick, (PrecisePoint{kOne, 5 * kOne}));
-  EXPECT_EQ(slide.rest, (PrecisePoint{-rest.y, rest.x}));
+  EXPECT_EQ(slide.remaining, (PrecisePoint{-remaining.y, remaining.x}));
   EXPECT_EQ(slide.passing->displacement, (PrecisePoint{0, kOne}));
   EXPECT_FALSE(slide.contact);
 }
