@@ -223,7 +223,7 @@ TEST_F(MatchControlTest, MissedInputsAreCountedOverAllRounds) {
   late.round = match().round();
   late.first = match().game().tick() - 10;
   late.inputs = {Input{Input::kPresent | Input::kDown}, Input{Input::kPresent | Input::kDown | Input::kJump}};
-  match().receive(1, late);
+  match().receive(*match().playerStatus().front().client, late);
   const std::uint64_t missed = match().missedInputs();
   EXPECT_EQ(missed, 2u);
   match().endRoundNow();
