@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "client/audio/hearing.h"
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 
 namespace platon {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "client/audio/hearing.h"
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 #include "platon/game/player_motion.h"
 
 namespace platon {

@@ -9,7 +9,6 @@
 
 #include "levels/check/level_warnings.h"
 #include "levels/drawing/solid_frame.h"
-#include "levels/drawing/units.h"
 #include "levels/reach/jump_heights.h"
 #include "levels/solve/level_solver.h"
 #include "platon/game/game.h"

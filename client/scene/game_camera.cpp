@@ -10,7 +10,7 @@ namespace platon {
 namespace {
 
 // Parts of the time of a flight.
-constexpr double kFlat = 0.1;    // until which the net lies flat
+constexpr double kFlat = 0.1;    // until which the unfolding lies flat
 constexpr double kFolded = 0.7;  // from which the solid is complete
 
 }  // namespace
@@ -41,7 +41,7 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
   if (comfort_.reducedMotion) flight_.stop();
   look_.update(look, seconds);
   if (comfort_.instantCut && !look.held) look_.reset();
-  camera_.setReach(flying() ? net_.reach : 0);
+  camera_.setReach(flying() ? unfolding_.reach : 0);
   ViewPoint view = flightView(stage->mesh);
   view.eye += kNearer * smootherstep(approach_) * (player.position - view.eye);
   camera_.show(look_.turned(view, stage->mesh));
@@ -61,12 +61,12 @@ double GameCamera::folded() const {
   return smootherstep(std::clamp((flight_.progress() - kFlat) / (kFolded - kFlat), 0.0, 1.0));
 }
 
-// The flight begins where the whole net is seen.
+// The flight begins where the whole unfolding is seen.
 ViewPoint GameCamera::flightView(const SolidMesh& mesh) const {
   ViewPoint view = flight_.towards(camera_.viewPoint(), mesh);
   if (!flying()) return view;
   const double part = glm::smoothstep(kFlat / 2, kFolded, flight_.progress());
-  view.eye = view.orientation * glm::mix(net_.view.fromCentre(), view.fromCentre(), part);
+  view.eye = view.orientation * glm::mix(unfolding_.view.fromCentre(), view.fromCentre(), part);
   return view;
 }
 
@@ -79,7 +79,7 @@ void GameCamera::begin(const Pose& player, const StageModel& stage) {
   camera_.set(goal, stage.mesh, camera_.width(), camera_.height());
   if (flights_ && !comfort_.instantCut) {
     flight_.start(camera_.viewPoint());
-    net_ = viewOfNet(stage.mesh, goal, double{1} * camera_.width() / camera_.height());
+    unfolding_ = viewOfUnfolding(stage.mesh, goal, double{1} * camera_.width() / camera_.height());
   }
   camera_.set(player, stage.mesh, camera_.width(), camera_.height());
 }

@@ -16,7 +16,7 @@
 namespace platon {
 
 /// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, while
-/// the solid is folded from its net, comes slowly nearer at a finish, and turns round the solid while the player looks
+/// the unfolded solid is folded, comes slowly nearer at a finish, and turns round the solid while the player looks
 /// round.
 class GameCamera {
  public:
@@ -35,7 +35,7 @@ class GameCamera {
   /// Whether the player is at the goal, from the next `move` on: the camera then comes nearer. With reduced motion and
   /// instant cuts, and where it stands still, it does not.
   void setArrived(bool arrived) { arrived_ = arrived; }
-  /// How far the solid is folded from its net, which lies in the plane of the goal: 0 at the start of a flight, 1
+  /// How far the solid is folded; unfolded, it lies in the plane of the goal: 0 at the start of a flight, 1
   /// without one.
   double folded() const;
 
@@ -55,7 +55,7 @@ class GameCamera {
 
   Camera camera_;
   CameraFlight flight_;
-  NetView net_;  // at the start of the flight
+  UnfoldingView unfolding_;  // at the start of the flight
   LookRound look_;
   CameraComfort comfort_;
   double zoom_ = 1;

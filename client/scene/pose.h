@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 
 namespace platon {
 

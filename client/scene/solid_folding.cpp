@@ -10,15 +10,15 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "client/scene/camera_target.h"
-#include "levels/drawing/net.h"
+#include "levels/drawing/solid_frame.h"
 
 namespace platon {
 namespace {
 
-constexpr double kMargin = 1.12;  // round the net, in its size
+constexpr double kMargin = 1.12;  // round the unfolding, in its size
 
 // From the frame of the face behind an edge to that of `face`, with the edge folded by `angle` radians.
-glm::dmat4 overHinge(const SolidMesh& mesh, const Net::Hinge& hinge, double angle) {
+glm::dmat4 overHinge(const SolidMesh& mesh, const Unfolding::Hinge& hinge, double angle) {
   const auto edge = static_cast<std::size_t>(hinge.edge);
   const glm::dvec2 outwards = mesh.edgeNormals()[edge];
   const glm::dvec3 middle(mesh.apothem() * outwards, 0);
@@ -33,10 +33,10 @@ std::vector<glm::dmat4> foldedPlaces(const SolidMesh& mesh, int root, double par
   std::vector<glm::dmat4> places;
   for (int face = 0; face < mesh.faces(); ++face) places.push_back(mesh.faceToWorld(face));
   if (part >= 1) return places;
-  const Net net(mesh);
+  const Unfolding unfolding(mesh);
   const double angle = part * (std::numbers::pi - mesh.dihedral());
-  places[static_cast<std::size_t>(net.hinges().front().face)] = glm::dmat4(1);
-  for (const Net::Hinge& hinge : net.hinges()) {
+  places[static_cast<std::size_t>(unfolding.hinges().front().face)] = glm::dmat4(1);
+  for (const Unfolding::Hinge& hinge : unfolding.hinges()) {
     const std::size_t next = mesh.solid().neighbour(hinge.face, hinge.edge).face;
     places[next] = places[static_cast<std::size_t>(hinge.face)] * overHinge(mesh, hinge, angle);
   }
@@ -45,24 +45,24 @@ std::vector<glm::dmat4> foldedPlaces(const SolidMesh& mesh, int root, double par
   return places;
 }
 
-NetView viewOfNet(const SolidMesh& mesh, const Pose& root, double aspect) {
-  NetView net;
-  net.view.orientation = levelOrientation(root.normal, glm::cross(root.up, root.normal));
+UnfoldingView viewOfUnfolding(const SolidMesh& mesh, const Pose& root, double aspect) {
+  UnfoldingView unfolding;
+  unfolding.view.orientation = levelOrientation(root.normal, glm::cross(root.up, root.normal));
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high = -low;
   for (const glm::dmat4& place : foldedPlaces(mesh, mesh.faceTowards(root.normal), 0)) {
     for (const glm::dvec2 corner : mesh.polygon()) {
-      const glm::dvec3 seen = glm::conjugate(net.view.orientation) * glm::dvec3(place * glm::dvec4(corner, 0, 1));
+      const glm::dvec3 seen = glm::conjugate(unfolding.view.orientation) * glm::dvec3(place * glm::dvec4(corner, 0, 1));
       low = glm::min(low, seen);
       high = glm::max(high, seen);
-      net.reach = std::max(net.reach, glm::length(seen));
+      unfolding.reach = std::max(unfolding.reach, glm::length(seen));
     }
   }
   const glm::dvec2 half = glm::dvec2(high - low) / 2.0;
   const double halfView = std::max(half.x / std::max(aspect, 1.0), half.y * std::min(aspect, 1.0));
   const double distance = halfView * kMargin / CameraTarget::kTangent;
-  net.view.eye = net.view.orientation * ((low + high) / 2.0 + glm::dvec3(0, 0, distance));
-  return net;
+  unfolding.view.eye = unfolding.view.orientation * ((low + high) / 2.0 + glm::dvec3(0, 0, distance));
+  return unfolding;
 }
 
 }  // namespace platon

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 #include "platon/game/level.h"
 #include "platon/game/player.h"
 

@@ -1,14 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "platon/exact/angle.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/point.h"
 #include "platon/game/solid.h"
 
 namespace platon {
+
+/// Subunits to level units. Exact: every coordinate of the simulation is a double.
+inline glm::dvec2 toUnits(Point point) {
+  return {double{1} * point.x / kSubunitsPerUnit, double{1} * point.y / kSubunitsPerUnit};
+}
+
+/// Angle in radians, counter-clockwise, in [0, 2π).
+inline double toRadians(Angle angle) { return angle.centidegrees() * (6.283185307179586 / Angle::kTurn); }
 
 /// Geometry of a Platonic solid in space. Each face is placed by folding it about the edge it shares with a placed
 /// neighbour. Level units; the origin is the solid's centre. In the frame of a face, +z points out of the solid.
@@ -55,6 +67,28 @@ class SolidFrame {
   std::vector<glm::dvec2> polygon_;
   std::vector<glm::dvec2> edgeNormals_;
   std::vector<glm::dmat4> faceToWorld_;
+};
+
+/// A solid unfolded into a plane: each face but one hangs on an edge that it shares with another. No two faces overlap.
+/// Level units, +y up.
+class Unfolding {
+ public:
+  /// An edge of the solid at which its two faces are joined in the unfolding.
+  struct Hinge {
+    int face = 0;
+    int edge = 0;
+  };
+
+  explicit Unfolding(const SolidFrame& solid);
+
+  /// The joined edges, each seen from the face that was placed first. One less than there are faces.
+  const std::vector<Hinge>& hinges() const { return hinges_; }
+  /// Transforms from the frame of a face to the plane.
+  const glm::dmat4& faceToPlane(int face) const { return faceToPlane_[static_cast<std::size_t>(face)]; }
+
+ private:
+  std::vector<Hinge> hinges_;
+  std::vector<glm::dmat4> faceToPlane_;
 };
 
 }  // namespace platon

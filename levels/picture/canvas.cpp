@@ -1,11 +1,11 @@
 #include "levels/picture/canvas.h"
 
-#include <cairo.h>
-
 #include <cmath>
 #include <cstring>
 #include <numbers>
 #include <stdexcept>
+
+#include <cairo.h>
 
 namespace platon {
 namespace {

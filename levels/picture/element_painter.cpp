@@ -7,9 +7,85 @@
 
 #include <glm/geometric.hpp>
 
-#include "levels/picture/mark_painter.h"
-
 namespace platon {
+namespace {
+
+double hueOf(SolidKind kind) {
+  switch (kind) {
+    case SolidKind::kTetrahedron:
+      return 65;
+    case SolidKind::kHexahedron:
+      return 22;
+    case SolidKind::kOctahedron:
+      return 170;
+    case SolidKind::kDodecahedron:
+      return 300;
+    default:
+      return 235;
+  }
+}
+
+}  // namespace
+
+Tints::Tints(SolidKind kind) : hue_(hueOf(kind)) {}
+
+Colour Tints::background() const { return oklch(0.978, 0.008, hue_ + 30); }
+
+Colour Tints::ink() const { return oklch(0.34, 0.06, hue_ - 20); }
+
+// Towards the light, the hue turns warmer.
+Colour Tints::face(double brightness) const {
+  return oklch(0.72 + 0.21 * brightness, 0.10 - 0.05 * brightness, hue_ - 30 + 45 * brightness);
+}
+
+Colour Tints::start() { return oklch(0.66, 0.19, 38); }
+
+Colour Tints::goal() { return oklch(0.55, 0.12, 165); }
+
+Colour Tints::up() { return oklch(0.45, 0.13, 255); }
+
+Colour Tints::hazard() { return oklch(0.50, 0.20, 25); }
+
+Colour Tints::checkpoint() { return oklch(0.48, 0.12, 235); }
+
+Colour Tints::lock() { return oklch(0.52, 0.11, 80); }
+
+Colour Tints::plate() { return oklch(0.48, 0.15, 310); }
+
+namespace {
+
+// The light ground of a mark, which parts it from segments behind it, in radii of the mark.
+constexpr double kHalo = 1.2;
+
+}  // namespace
+
+void paintArrow(Canvas& canvas, glm::dvec2 tail, glm::dvec2 head, const Ink& ink, double width) {
+  const glm::dvec2 back = 0.4 * (tail - head);
+  const glm::dvec2 aside = 0.7 * glm::dvec2(-back.y, back.x);
+  canvas.line(tail, head);
+  const glm::dvec2 barbs[] = {head + back + aside, head, head + back - aside};
+  canvas.lines(barbs);
+  canvas.stroke(ink, width);
+}
+
+void paintBall(Canvas& canvas, glm::dvec2 place, glm::dvec2 up, double radius, const Tints& tints) {
+  canvas.circle(place, kHalo * radius);
+  canvas.fill({tints.background()});
+  canvas.circle(place, radius);
+  canvas.fill({Tints::start()});
+  canvas.line(place, place + 0.6 * radius * up);
+  canvas.stroke({tints.background()}, 0.25 * radius);
+}
+
+void paintGoal(Canvas& canvas, glm::dvec2 place, double radius, const Tints& tints) {
+  const double width = 0.25 * radius;
+  canvas.circle(place, kHalo * radius);
+  canvas.fill({tints.background()});
+  canvas.circle(place, radius - width / 2);
+  canvas.stroke({Tints::goal()}, width);
+  canvas.circle(place, 0.3 * radius);
+  canvas.fill({Tints::goal()});
+}
 
 template <typename Draw>
 void ElementPainter::repeat(const Track& track, double gap, Draw draw) const {

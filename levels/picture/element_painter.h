@@ -2,11 +2,48 @@
 
 #include <glm/vec2.hpp>
 
+#include "levels/drawing/colour.h"
 #include "levels/picture/canvas.h"
-#include "levels/picture/tints.h"
 #include "platon/game/element.h"
+#include "platon/game/solid.h"
 
 namespace platon {
+
+/// The colours of a picture: each solid has soft tints of its own.
+class Tints {
+ public:
+  explicit Tints(SolidKind kind);
+
+  /// Of the page.
+  Colour background() const;
+  /// Of segments and text.
+  Colour ink() const;
+  /// A face on which so much light falls, 0 … 1. Always lighter than the ink.
+  Colour face(double brightness) const;
+
+  /// The same for all solids.
+  static Colour start();
+  static Colour goal();
+  static Colour up();
+  static Colour hazard();
+  static Colour checkpoint();
+  /// Of keys and doors.
+  static Colour lock();
+  static Colour plate();
+
+ private:
+  double hue_;  // degrees
+};
+
+// Marks of a level. Lengths are in the units of the canvas's map, directions are unit vectors.
+
+void paintArrow(Canvas& canvas, glm::dvec2 tail, glm::dvec2 head, const Ink& ink, double width);
+
+/// A ball with a mark towards its up.
+void paintBall(Canvas& canvas, glm::dvec2 place, glm::dvec2 up, double radius, const Tints& tints);
+
+/// A ring round a dot. `radius` is that of the outer side of the ring.
+void paintGoal(Canvas& canvas, glm::dvec2 place, double radius, const Tints& tints);
 
 /// What is drawn of an element.
 struct ElementStyle {

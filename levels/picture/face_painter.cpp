@@ -5,7 +5,6 @@
 
 #include "levels/drawing/level_marks.h"
 #include "levels/picture/element_painter.h"
-#include "levels/picture/mark_painter.h"
 
 namespace platon {
 namespace {

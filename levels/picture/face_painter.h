@@ -3,8 +3,8 @@
 #include <span>
 
 #include "levels/picture/canvas.h"
+#include "levels/picture/element_painter.h"
 #include "levels/picture/level_drawing.h"
-#include "levels/picture/tints.h"
 
 namespace platon {
 

@@ -51,7 +51,7 @@ ElementStyle LevelDrawing::styleOf(const Element& element) const {
   return style;
 }
 
-// A segment along an edge belongs to both faces, which need not be neighbours in the net or in the same view.
+// A segment along an edge belongs to both faces, which need not be neighbours in the unfolding or in the same view.
 void LevelDrawing::addAlongEdges(int face, const Line& line) {
   const std::vector<glm::dvec2>& normals = solid.edgeNormals();
   for (std::size_t edge = 0; edge < normals.size(); ++edge) {

@@ -4,19 +4,66 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 
-#include "levels/drawing/net.h"
+#include "levels/drawing/solid_frame.h"
+#include "levels/picture/element_painter.h"
 #include "levels/picture/face_painter.h"
-#include "levels/picture/legend.h"
 #include "levels/picture/level_drawing.h"
 #include "levels/picture/solid_view.h"
-#include "levels/picture/tints.h"
 
 namespace platon {
+namespace {
+
+constexpr double kTextSize = 20;
+constexpr double kMarkWidth = 20;
+constexpr double kElementWidth = 34;
+constexpr double kGap = 12;
+
+// A row that grows to the right.
+class Row {
+ public:
+  Row(Canvas& canvas, glm::dvec2 start, const Tints& tints) : canvas_(&canvas), start_(start), tints_(&tints) {}
+
+  glm::dvec2 start() const { return start_; }
+  glm::dvec2 markMiddle() const { return start_ + glm::dvec2(kMarkWidth / 2, 0); }
+
+  // Ends the present entry.
+  void write(std::string_view text, double markWidth = kMarkWidth) {
+    start_.x += markWidth + kGap;
+    canvas_->text(start_ - glm::dvec2(0, kTextSize * Typeface::kCapitalHeight / 2), kTextSize, text);
+    canvas_->fill({tints_->ink(), 0.6});
+    start_.x += kTextSize * canvas_->typeface().width(text) + 2.4 * kGap;
+  }
+
+ private:
+  Canvas* canvas_;
+  glm::dvec2 start_;
+  const Tints* tints_;
+};
+
+}  // namespace
+
+void paintLegend(Canvas& canvas, glm::dvec2 start, const Tints& tints, const std::set<ElementKind>& kinds) {
+  Row row(canvas, start, tints);
+  paintBall(canvas, row.markMiddle(), {0, 1}, 9, tints);
+  row.write("start");
+  paintGoal(canvas, row.markMiddle(), 10, tints);
+  row.write("goal");
+  const glm::dvec2 half(0, 11);
+  paintArrow(canvas, row.markMiddle() + half, row.markMiddle() - half, {tints.ink(), 0.4}, 3);
+  row.write("down, next to the start");
+  for (const ElementKind kind : kinds) {
+    const ElementStyle style{kind, 1, {0, 1}};
+    ElementPainter(canvas, tints, 2.4).paint(row.start(), row.start() + glm::dvec2(kElementWidth, 0), style);
+    row.write(wordOf(kind), kElementWidth);
+  }
+}
+
 namespace {
 
 // The layout is that of a page of 1600 × 1000.
@@ -33,7 +80,7 @@ struct Box {
 constexpr double kMargin = 64;
 const Box kFrontBox{{kMargin, 178}, {504, 524}};
 const Box kBackBox{{kMargin, 552}, {504, 898}};
-const Box kNetBox{{568, 178}, {kPageWidth - kMargin, 898}};
+const Box kUnfoldingBox{{568, 178}, {kPageWidth - kMargin, 898}};
 
 // A face of a group of faces that are drawn together.
 struct PlacedFace {
@@ -61,13 +108,13 @@ std::vector<PlacedFace> facesOf(const SolidFrame& solid, const SolidView& view) 
   return group;
 }
 
-// In the net, each face has the tint that it has in the view that shows it.
-std::vector<PlacedFace> facesOfNet(const SolidFrame& solid, const SolidView& front, const SolidView& back) {
-  const Net net(solid);
+// In the unfolding, each face has the tint that it has in the view that shows it.
+std::vector<PlacedFace> facesOfUnfolding(const SolidFrame& solid, const SolidView& front, const SolidView& back) {
+  const Unfolding unfolding(solid);
   std::vector<PlacedFace> group;
   for (int face = 0; face < solid.faces(); ++face) {
     const SolidView& view = front.shows(solid, face) ? front : back;
-    group.push_back({face, upright(net.faceToPlane(face)), view.brightness(solid, face)});
+    group.push_back({face, upright(unfolding.faceToPlane(face)), view.brightness(solid, face)});
   }
   return group;
 }
@@ -138,7 +185,7 @@ Canvas drawLevel(const Level& level, int width) {
   page.drawTexts(level);
   page.drawGroup(facesOf(solid, front), kFrontBox);
   page.drawGroup(facesOf(solid, back), kBackBox);
-  page.drawGroup(facesOfNet(solid, front, back), kNetBox);
+  page.drawGroup(facesOfUnfolding(solid, front, back), kUnfoldingBox);
   return page.takeCanvas();
 }
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 
 namespace platon {
 namespace {

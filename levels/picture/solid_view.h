@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "levels/drawing/solid_frame.h"
-#include "levels/picture/plane_map.h"
+#include "levels/picture/canvas.h"
 #include "platon/exact/angle.h"
 
 namespace platon {

@@ -6,7 +6,7 @@
 
 #include "client/audio/player_cues.h"
 #include "client/scene/solid_mesh.h"
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 #include "platon/game/game.h"
 
 namespace platon {

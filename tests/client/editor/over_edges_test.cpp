@@ -10,7 +10,7 @@
 
 #include "client/editor/level_document.h"
 #include "client/editor/new_level.h"
-#include "levels/drawing/units.h"
+#include "levels/drawing/solid_frame.h"
 
 namespace platon::over_edges_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "client/scene/camera.h"
-#include "levels/drawing/net.h"
+#include "levels/drawing/solid_frame.h"
 
 namespace platon::solid_folding_test {
 namespace {
@@ -49,10 +49,10 @@ TEST_P(SolidFoldingTest, ItEndsWithoutAJump) {
 }
 
 TEST_P(SolidFoldingTest, JoinedFacesShareTheirEdgeAllTheTime) {
-  const Net net(mesh_);
+  const Unfolding unfolding(mesh_);
   for (const double part : {0.0, 0.3, 0.77, 1.0}) {
     const auto places = foldedPlaces(mesh_, 2, part);
-    for (const Net::Hinge& hinge : net.hinges()) {
+    for (const Unfolding::Hinge& hinge : unfolding.hinges()) {
       const auto& next = mesh_.solid().neighbour(hinge.face, hinge.edge);
       const glm::dmat4& here = places[static_cast<std::size_t>(hinge.face)];
       const glm::dmat4& there = places[next.face];
@@ -73,19 +73,19 @@ TEST_P(SolidFoldingTest, FacesKeepTheirFormAndTheRootItsPlace) {
 TEST_P(SolidFoldingTest, TheViewShowsTheWholeNetUpright) {
   const Pose root = mesh_.pose(1, {20, -30}, 0.4);
   for (const auto& [width, height] : {std::pair(1280U, 720U), {600U, 900U}}) {
-    const NetView net = viewOfNet(mesh_, root, double{1} * width / height);
-    EXPECT_LT(glm::distance(net.view.up(), root.up), 1e-9);
+    const UnfoldingView unfolding = viewOfUnfolding(mesh_, root, double{1} * width / height);
+    EXPECT_LT(glm::distance(unfolding.view.up(), root.up), 1e-9);
     Camera camera;
     camera.set(root, mesh_, width, height);
-    camera.setReach(net.reach);
-    camera.show(net.view);
+    camera.setReach(unfolding.reach);
+    camera.show(unfolding.view);
     double widest = 0;
     for (const glm::dmat4& place : foldedPlaces(mesh_, 1, 0)) {
       for (int i = 0; i < mesh_.solid().edgesPerFace(); ++i) {
         const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(corner(place, i), 1);
         widest = std::max({widest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
         EXPECT_LT(std::abs(clip.z / clip.w), 1);
-        EXPECT_LE(glm::length(corner(place, i)), net.reach + 1e-9);
+        EXPECT_LE(glm::length(corner(place, i)), unfolding.reach + 1e-9);
       }
     }
     EXPECT_LT(widest, 1);

@@ -1,17 +1,84 @@
 #include "levels/picture/element_painter.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
 
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
 #include "tests/levels/picture/pixels.h"
 
 namespace platon::element_painter_test {
 namespace {
+
+class TintsTest : public testing::TestWithParam<int> {
+ protected:
+  Tints tints() const { return Tints(static_cast<SolidKind>(GetParam())); }
+};
+
+float luma(Colour colour) { return glm::dot(colour, Colour(0.2126F, 0.7152F, 0.0722F)); }
+
+TEST_P(TintsTest, InkAndMarksStandOutFromFacesAndBackground) {
+  for (double brightness = 0; brightness <= 1; brightness += 0.125) {
+    EXPECT_GT(luma(tints().face(brightness)) - luma(tints().ink()), 0.3F) << brightness;
+    EXPECT_GT(luma(tints().face(brightness)) - luma(Tints::start()), 0.08F) << brightness;
+    EXPECT_GT(luma(tints().face(brightness)) - luma(Tints::goal()), 0.1F) << brightness;
+  }
+  EXPECT_GT(luma(tints().background()) - luma(tints().ink()), 0.6F);
+}
+
+TEST_P(TintsTest, MoreLightMakesAFaceBrighter) {
+  for (int step = 0; step < 8; ++step) {
+    EXPECT_LT(luma(tints().face(step / 8.0)), luma(tints().face((step + 1) / 8.0))) << step;
+  }
+  EXPECT_LT(luma(tints().face(1)), luma(tints().background()));
+}
+
+TEST_P(TintsTest, SolidsHaveDifferentTints) {
+  for (int other = 0; other < GetParam(); ++other) {
+    const Tints others(static_cast<SolidKind>(other));
+    EXPECT_GT(glm::distance(tints().face(0.5), others.face(0.5)), 0.08F) << other;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllSolids, TintsTest, testing::Range(0, kSolidKinds));
+
+class MarkPainterTest : public testing::Test {
+ protected:
+  const Tints tints_{SolidKind::kHexahedron};
+  Canvas canvas_{60, 60, Colour(1)};
+};
+
+TEST_F(MarkPainterTest, TheMarkOfABallPointsToItsUp) {
+  paintBall(canvas_, {30, 30}, {1, 0}, 20, tints_);
+  const Pixels pixels(canvas_);
+  EXPECT_EQ(pixels.at(38, 30), pixelOf(tints_.background()));
+  EXPECT_EQ(pixels.at(22, 30), pixelOf(Tints::start()));
+  EXPECT_EQ(pixels.at(30, 48), pixelOf(Tints::start()));
+  EXPECT_EQ(pixels.at(30, 55), 0xFFFFFFu);
+}
+
+TEST_F(MarkPainterTest, AGoalIsARingRoundADot) {
+  paintGoal(canvas_, {30, 30}, 20, tints_);
+  const Pixels pixels(canvas_);
+  EXPECT_EQ(pixels.at(30, 30), pixelOf(Tints::goal()));
+  EXPECT_EQ(pixels.at(47, 30), pixelOf(Tints::goal()));
+  EXPECT_NE(pixels.at(40, 30), pixelOf(Tints::goal()));
+  EXPECT_EQ(pixels.at(55, 30), 0xFFFFFFu);
+}
+
+TEST_F(MarkPainterTest, AnArrowHasItsBarbsAtTheHead) {
+  paintArrow(canvas_, {30, 10}, {30, 50}, {Colour(0)}, 4);
+  const Pixels pixels(canvas_);
+  EXPECT_EQ(pixels.at(30, 12), 0u);
+  EXPECT_EQ(pixels.at(30, 49), 0u);
+  EXPECT_EQ(pixels.at(22, 37), 0u);
+  EXPECT_EQ(pixels.at(38, 37), 0u);
+  EXPECT_EQ(pixels.at(22, 20), 0xFFFFFFu);
+}
 
 constexpr std::array kElements = {ElementKind::kOneway,     ElementKind::kUp,  ElementKind::kHazard,
                                   ElementKind::kCheckpoint, ElementKind::kKey, ElementKind::kDoor,
@@ -98,4 +165,5 @@ TEST_F(ElementPainterTest, ASegmentWithoutLengthIsDrawn) {
 }
 
 }  // namespace
+
 }  // namespace platon::element_painter_test
