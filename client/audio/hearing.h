@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "client/scene/pose.h"
+#include "client/scene/solid_mesh.h"
 
 namespace platon {
 

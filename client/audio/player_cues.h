@@ -6,7 +6,7 @@
 
 #include "client/audio/cue.h"
 #include "client/audio/replay_filter.h"
-#include "client/scene/pose.h"
+#include "client/scene/solid_mesh.h"
 #include "platon/game/game.h"
 
 namespace platon {

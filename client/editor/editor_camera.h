@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 
 #include "client/scene/camera.h"
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 #include "client/ui/key.h"
 #include "client/ui/pointer_event.h"

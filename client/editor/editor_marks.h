@@ -5,7 +5,7 @@
 
 #include "client/editor/edited_segment.h"
 #include "client/editor/level_analysis.h"
-#include "client/scene/face_mark.h"
+#include "client/scene/stage_model.h"
 
 namespace platon {
 

@@ -6,9 +6,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "client/gl/gl_objects.h"
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
-#include "client/gl/vertex_stream.h"
 #include "client/ui/overlay.h"
 
 namespace platon {

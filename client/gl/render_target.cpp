@@ -5,10 +5,25 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "client/gl/colour_texture.h"
-#include "client/gl/draw_calls.h"
+#include "client/gl/gl_objects.h"
+#include "client/gl/shader_program.h"
 
 namespace platon {
+
+PictureScaler::PictureScaler() : program_("picture") {}
+
+void PictureScaler::draw(const GlTexture& picture) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture.name());
+  program_.use();
+  program_.set("picture", 0);
+  glBindVertexArray(array_.name());
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
+  glEnable(GL_BLEND);
+}
+
 namespace {
 
 std::uint32_t scaled(std::uint32_t size, double scale) {
@@ -90,6 +105,26 @@ Image RenderTarget::read() const {
                image.pixels.data());
   flipRows(image);
   return image;
+}
+
+PictureFade::PictureFade() : program_(shaderText("picture.vert"), shaderText("fade.frag")) {}
+
+void PictureFade::keep(const RenderTarget& target) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  attachColour(picture_, target.width(), target.height());
+  target.copyTo(framebuffer_);
+}
+
+void PictureFade::draw(double opacity) {
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture_.name());
+  program_.use();
+  program_.set("picture", 0);
+  program_.set("opacity", static_cast<float>(opacity));
+  glBindVertexArray(array_.name());
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
 }
 
 }  // namespace platon

@@ -3,11 +3,25 @@
 #include <cstdint>
 #include <memory>
 
-#include "client/gl/gl_handle.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/image.h"
-#include "client/gl/picture_scaler.h"
+#include "client/gl/shader_program.h"
 
 namespace platon {
+
+/// Draws a picture over the whole of another one, interpolated linearly. Drivers that draw with the processor do this
+/// faster than glBlitFramebuffer.
+class PictureScaler {
+ public:
+  PictureScaler();
+
+  /// Draws `picture` over the viewport. Leaves the depth test off, and blending on.
+  void draw(const GlTexture& picture);
+
+ private:
+  ShaderProgram program_;
+  GlVertexArray array_;  // empty: the shader computes the corners from gl_VertexID
+};
 
 /// A sampled picture with depth, which may be multisampled and smaller, and the plain picture that it is resolved to.
 /// With one sample at full size they are the same.
@@ -58,6 +72,23 @@ class RenderTarget {
   GlFramebuffer sampled_;
   GlFramebuffer small_;  // not scaled yet
   GlFramebuffer plain_;
+};
+
+/// Keeps a picture and draws it over later ones, so that a cut of the camera becomes a cross-fade.
+class PictureFade {
+ public:
+  PictureFade();
+
+  /// Keeps the plain picture of `target`. Changes the bound framebuffer.
+  void keep(const RenderTarget& target);
+  /// Draws the kept picture over the viewport, with this opacity, 0 … 1. Leaves the depth test off, and blending on.
+  void draw(double opacity);
+
+ private:
+  ShaderProgram program_;
+  GlVertexArray array_;  // empty: the shader computes the corners from gl_VertexID
+  GlTexture picture_;
+  GlFramebuffer framebuffer_;
 };
 
 }  // namespace platon

@@ -6,8 +6,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "client/gl/draw_calls.h"
-#include "client/scene/look/high_contrast.h"
+#include "client/gl/gl_objects.h"
+#include "client/scene/palette.h"
 
 namespace platon {
 namespace {

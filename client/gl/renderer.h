@@ -13,8 +13,6 @@
 #include "client/gl/paint/beam_painter.h"
 #include "client/gl/paint/sky_painter.h"
 #include "client/gl/paint/stage_painter.h"
-#include "client/gl/picture_fade.h"
-#include "client/gl/picture_style.h"
 #include "client/gl/render_target.h"
 #include "client/gl/text_painter.h"
 #include "client/quality/quality.h"
@@ -22,8 +20,22 @@
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
+#include "client/ui/settings.h"
 
 namespace platon {
+
+/// How the player wants to see the game.
+struct PictureStyle {
+  bool animated = true;  ///< off: nothing moves but the players
+  bool flashes = true;   ///< players and goal flash
+  bool highContrast = false;
+};
+
+/// The style that the player has chosen.
+inline PictureStyle styleOf(const Settings& settings) {
+  const bool animated = !settings.comfort.reducedMotion;
+  return {animated, animated && settings.flashes, settings.highContrast};
+}
 
 /// Draws scenes with OpenGL 3.3 core. The context must be current from construction to destruction.
 class Renderer {

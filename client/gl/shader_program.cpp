@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "client/gl/shader_text.h"
-
 namespace platon {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <GL/glew.h>
 #include <glm/mat4x4.hpp>
@@ -11,6 +12,11 @@
 #include <glm/vec4.hpp>
 
 namespace platon {
+
+/// The text of a file in client/gl/shaders, "face.vert", with the parts that it includes: GLSL 3.30 without the
+/// #version line. The build compiles the files into the program. Throws std::logic_error if there is no such file.
+/// Colours are blended as sRGB values, without conversion to linear light.
+const std::string& shaderText(std::string_view file);
 
 /// A linked vertex and fragment shader, with access to the uniforms by name.
 class ShaderProgram {

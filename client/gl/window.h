@@ -1,17 +1,26 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "client/ui/controls/gamepad_keys.h"
+#include "client/ui/controls/gamepad_state.h"
 #include "client/ui/key.h"
 #include "client/ui/pointer_event.h"
 
+struct GLFWgamepadstate;
 struct GLFWwindow;
 
 namespace platon {
+
+/// The key that GLFW names `glfwKey`; nothing if the client does not use it.
+std::optional<Key> keyOfGlfw(int glfwKey);
+
+/// The state of a gamepad as GLFW reports it. A trigger is pressed from half its way.
+GamepadState gamepadOfGlfw(const GLFWgamepadstate& glfwState);
 
 /// The gamepad that was used last has been disconnected. The events that release its keys come before.
 struct GamepadLost {};

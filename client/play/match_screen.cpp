@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "client/gl/gl_loader.h"
+#include "client/gl/gl_context.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/play/replay_screen.h"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/gl/gl_loader.h"
+#include "client/gl/gl_context.h"
 
 namespace platon {
 

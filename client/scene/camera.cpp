@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "client/scene/camera_ease.h"
-#include "client/scene/camera_framing.h"
+#include "client/scene/camera_target.h"
+#include "client/scene/view_point.h"
 
 namespace platon {
 namespace {
@@ -105,8 +105,8 @@ void Camera::turn(const Pose& player, const CameraTarget& target, double seconds
   const double maxSwing = comfort_.reducedMotion ? kSlowSwing : kMaxSwing;
   const double left = leftAfter(std::min(angle, longest), kFollowSpeed, maxSwing, seconds);
   if (angle > 0) base_.orientation = partOf(swing, 1 - left / angle) * base_.orientation;
-  const double maxRoll = comfort_.reducedMotion ? kSlowRoll : comfort_.turnSpeed;
-  const double rollLeft = leftAfter(std::abs(roll), comfort_.turnSpeed, maxRoll, seconds);
+  const double maxRoll = comfort_.reducedMotion ? kSlowRoll : comfort_.maxRoll();
+  const double rollLeft = leftAfter(std::abs(roll), comfort_.turnRate, maxRoll, seconds);
   const double rolled = std::copysign(std::abs(roll) - rollLeft, roll);
   base_.orientation = glm::normalize(glm::angleAxis(rolled, base_.back()) * base_.orientation);
 }

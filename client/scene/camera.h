@@ -7,11 +7,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "client/scene/camera_comfort.h"
-#include "client/scene/camera_lead.h"
+#include "client/scene/camera_controls.h"
 #include "client/scene/camera_target.h"
-#include "client/scene/face_hold.h"
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 #include "client/scene/view_point.h"
 
@@ -36,7 +33,7 @@ class Camera {
   /// size of the picture stays.
   void place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage);
   /// Moves the camera towards the target of `set` for `seconds` ≥ 0. While the player stands still, two calls have the
-  /// effect of one call with the sum of their times. The roll is at most CameraComfort::turnSpeed radians a second.
+  /// effect of one call with the sum of their times. The roll is at most CameraComfort::maxRoll.
   void lerp(const Pose& player, const SolidMesh& stage, double seconds);
 
   /// What `set`, `place` and `lerp` have made of the view.

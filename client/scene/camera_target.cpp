@@ -1,8 +1,11 @@
 #include "client/scene/camera_target.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -67,6 +70,108 @@ CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom
   const glm::dvec3 back = glm::normalize(glm::mix(roundedNormal(mesh, player.position), ray, kPartOfRay));
   const double view = std::clamp(2 * mesh.apothem() * kViewOfFace, kMinView, kMaxView) / zoom;
   return {levelOrientation(back, rightOf(player, mesh)), view / 2 / CameraTarget::kTangent};
+}
+
+namespace {
+
+constexpr double kPart = 0.85;  // of the way to the centre, up to the largest shift
+
+}  // namespace
+
+// What is across the line of sight has no jump at an edge, as the line of sight has none.
+glm::dvec2 framingShift(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh) {
+  const glm::dvec2 wanted = -kPart * glm::dvec2(glm::conjugate(target.orientation) * place);
+  const double halfView = target.halfView();
+  const double longest = kMaxFramingShift * halfView * std::min(1.0, halfView / mesh.apothem());
+  const double length = glm::length(wanted);
+  return length > longest ? wanted * (longest / length) : wanted;
+}
+
+namespace {
+
+struct Knot {
+  double trail = 0;
+  double lead = 0;
+};
+
+// The lead is linear between the knots, and odd. In a jump the player is at most 50 from the trailing point.
+using Knots = std::array<Knot, 4>;
+constexpr Knots kRight{{{0, 0}, {30, 0}, {60, 20}, {125, CameraLead::kMaxLead}}};
+constexpr Knots kUp{{{0, 0}, {40, -30}, {70, -30}, {160, CameraLead::kMaxLead}}};
+constexpr Knots kReducedRight{{{0, 0}, {30, 0}, {60, 0}, {125, 0}}};
+constexpr Knots kReducedUp{{{0, 0}, {40, -30}, {70, -30}, {160, -30}}};
+
+// Between two knots the lead is base + slope · trail, the trail falls exponentially, and the differential equation of
+// the following point has a closed solution.
+double followedLead(const Knots& knots, double trail, double follow, double seconds) {
+  const double share = follow / (follow - CameraLead::kTrailRate);
+  double size = std::abs(trail);
+  double place = 0;
+  for (std::size_t i = knots.size() - 1; i > 0; --i) {
+    const Knot& low = knots[i - 1];
+    if (size <= low.trail) continue;
+    const double slope = (knots[i].lead - low.lead) / (knots[i].trail - low.trail);
+    const double base = low.lead - slope * low.trail;
+    const double toKnot = low.trail > 0 ? std::log(size / low.trail) / CameraLead::kTrailRate : seconds;
+    const double time = std::min(seconds, toKnot);
+    const double nextSize = size * std::exp(-CameraLead::kTrailRate * time);
+    place = (place - base - share * slope * size) * std::exp(-follow * time) + base + share * slope * nextSize;
+    size = nextSize;
+    seconds -= time;
+  }
+  return std::copysign(1.0, trail) * place;
+}
+
+}  // namespace
+
+void CameraLead::reset(const Pose& player) {
+  place_ = player.position;
+  trail_ = glm::dvec2(0);
+}
+
+void CameraLead::move(const Pose& player) {
+  const glm::dvec3 way = player.position - place_;
+  trail_ += glm::dvec2(glm::dot(way, glm::cross(player.up, player.normal)), glm::dot(way, player.up));
+  const glm::dvec2 longest(kRight.back().trail, kUp.back().trail);
+  trail_ = glm::clamp(trail_, -longest, longest);
+  place_ = player.position;
+}
+
+void CameraLead::wait(double seconds) { trail_ *= std::exp(-kTrailRate * seconds); }
+
+glm::dvec2 CameraLead::followed(double follow, double seconds, bool reduced) const {
+  return {followedLead(reduced ? kReducedRight : kRight, trail_.x, follow, seconds),
+          followedLead(reduced ? kReducedUp : kUp, trail_.y, follow, seconds)};
+}
+
+namespace {
+
+constexpr double kWholeFace = 1.13;    // shorter side of the picture in diameters of the face
+constexpr double kMinWholeView = 460;  // level units
+constexpr double kMaxWholeView = 1000;
+constexpr double kBorder = 0.7;   // half the part of the picture in which the player stays
+constexpr double kTurned = 0.02;  // radians by which the player may turn on the screen
+
+}  // namespace
+
+ViewPoint FaceHold::view(const Pose& player, const SolidMesh& mesh, double zoom) {
+  if (view_ && holds(player, zoom)) return *view_;
+  const double whole = std::max(kMinWholeView, kWholeFace * 2 * glm::length(mesh.polygon()[0]));
+  whole_ = whole <= kMaxWholeView && zoom <= 1;
+  normal_ = player.normal;
+  zoom_ = zoom;
+  centre_ = whole_ ? mesh.inradius() * normal_ : player.position;
+  distance_ = whole_ ? whole / zoom / 2 / CameraTarget::kTangent : cameraTarget(player, mesh, zoom).distance;
+  view_ = {levelOrientation(normal_, glm::cross(player.up, normal_)), centre_ + distance_ * normal_};
+  return *view_;
+}
+
+bool FaceHold::holds(const Pose& player, double zoom) const {
+  if (zoom != zoom_ || glm::dot(player.normal, normal_) < 1 - 1e-9) return false;
+  const glm::dvec3 right = glm::conjugate(view_->orientation) * glm::cross(player.up, player.normal);
+  if (std::abs(std::atan2(right.y, right.x)) > kTurned) return false;
+  const glm::dvec3 offset = glm::abs(glm::conjugate(view_->orientation) * (player.position - centre_));
+  return whole_ || std::max(offset.x, offset.y) < kBorder * CameraTarget::kTangent * distance_;
 }
 
 }  // namespace platon

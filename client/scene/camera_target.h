@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
+#include "client/scene/view_point.h"
 
 namespace platon {
 
@@ -33,5 +36,58 @@ glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place);
 /// neighbouring faces are seen. The player's right is level on the screen, except near a
 /// corner. `zoom` is a magnification, more than 0.
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom);
+
+constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture
+
+/// How far the middle of the picture is from a player who stands still at `place`, along the axes of the target, in
+/// level units. It lies towards the solid's centre, so that the picture shows more of the solid; on a face that is much
+/// larger than the picture, less.
+glm::dvec2 framingShift(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh);
+
+/// How far the middle of the picture leads the player, from the way that the player has gone lately. A point trails the
+/// player; the lead is a function of the distance to it. Small turns and jumps keep that distance small. Against a
+/// jump, the lead is negative: the picture rises less than the player.
+class CameraLead {
+ public:
+  static constexpr double kTrailRate = 1.5;  ///< rate of the approach of the trailing point to the player, per second
+  static constexpr double kMaxLead = 65;     ///< level units, in each direction
+
+  /// The player stands still.
+  void reset(const Pose& player);
+  /// The player has moved here.
+  void move(const Pose& player);
+  /// The trailing point approaches the player for `seconds` ≥ 0.
+  void wait(double seconds);
+
+  /// Where a point is after `seconds` ≥ 0 that starts at the player, who stands still, and approaches the lead at the
+  /// rate `follow`, which is not kTrailRate: to the player's right and along its up, level units. With `reduced`
+  /// nothing leads the player.
+  glm::dvec2 followed(double follow, double seconds, bool reduced) const;
+
+ private:
+  glm::dvec3 place_{0};  // of the player
+  glm::dvec2 trail_{0};  // from the trailing point to the player: to the player's right and along its up
+};
+
+/// The view of a camera that stands still. It shows the whole face of the player; of a large face it shows a part, and
+/// another one when the player comes near the border of the picture.
+class FaceHold {
+ public:
+  /// The view of the player, which is the last one as long as the face, the player's up and the zoom stay the same and
+  /// the player stays away from the border of the picture. `zoom` is a magnification, more than 0.
+  ViewPoint view(const Pose& player, const SolidMesh& mesh, double zoom);
+  /// The next view does not depend on the last one.
+  void reset() { view_.reset(); }
+
+ private:
+  bool holds(const Pose& player, double zoom) const;
+
+  std::optional<ViewPoint> view_;
+  glm::dvec3 centre_{0};  // of the picture, on the face
+  glm::dvec3 normal_{0};
+  double distance_ = 0;  // of the eye from the face
+  double zoom_ = 1;
+  bool whole_ = false;  // the view shows the whole face
+};
 
 }  // namespace platon

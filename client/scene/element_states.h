@@ -6,7 +6,6 @@
 
 #include <glm/vec2.hpp>
 
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 #include "platon/game/game.h"
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 namespace platon {
@@ -61,6 +62,12 @@ std::vector<FaceView> facesBeyondTheHorizon(const SolidMesh& mesh, const Camera&
   return viewsOf(mesh, camera, [&](int face) {
     return !isVisible(mesh, camera, face) && glm::dot(mesh.normal(face), camera.back()) > kOppositeSide;
   });
+}
+
+glm::dvec3 faceLight(const SolidMesh& mesh, int face) {
+  const glm::dvec3 sun(-0.48, 0.75, 0.46);
+  const glm::dvec3 seen = glm::inverse(glm::dmat3(mesh.faceToWorld(face))) * sun;
+  return glm::normalize(glm::dvec3(0.8 * seen.x, 0.8 * seen.y, 1));
 }
 
 }  // namespace platon

@@ -31,4 +31,8 @@ std::vector<FaceView> facesAt(std::span<const glm::dmat4> places, const Camera& 
 /// The other faces on which something that stands up from them can be seen past the edges of the visible faces.
 std::vector<FaceView> facesBeyondTheHorizon(const SolidMesh& mesh, const Camera& camera);
 
+/// Unit vector towards the light of a face, in its frame. The light does not move, so that shadows can be computed
+/// once. It comes from one side of the solid, but on every face at least 50 degrees above the horizon: no face is dark.
+glm::dvec3 faceLight(const SolidMesh& mesh, int face);
+
 }  // namespace platon

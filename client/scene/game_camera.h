@@ -4,16 +4,63 @@
 #include <memory>
 #include <utility>
 
+#include <glm/vec2.hpp>
+
 #include "client/scene/camera.h"
-#include "client/scene/camera_comfort.h"
-#include "client/scene/camera_flight.h"
-#include "client/scene/look_input.h"
-#include "client/scene/look_round.h"
-#include "client/scene/pose.h"
+#include "client/scene/camera_controls.h"
 #include "client/scene/solid_folding.h"
+#include "client/scene/solid_mesh.h"
 #include "client/scene/stage_model.h"
+#include "client/scene/view_point.h"
 
 namespace platon {
+
+/// A flight round the solid from one view to another, which may move meanwhile.
+class CameraFlight {
+ public:
+  static constexpr double kSeconds = 2.5;
+  static constexpr double kSkipSeconds = 0.25;  ///< what is left of a flight that is skipped, at most
+
+  void start(const ViewPoint& from);
+  /// Ends the flight soon.
+  void skip();
+  /// Ends the flight at once.
+  void stop() { progress_ = 1; }
+  /// Flies on for `seconds` ≥ 0.
+  void advance(double seconds);
+  bool flying() const { return progress_ < 1; }
+  /// The part of the time that has passed, 0 … 1.
+  double progress() const { return progress_; }
+
+  /// The view on the way to `to`, which is `to` at the end.
+  ViewPoint towards(const ViewPoint& to, const SolidMesh& mesh) const;
+
+ private:
+  ViewPoint from_;
+  double progress_ = 1;  // of the time, 0 … 1
+  double speed_ = 0;     // of progress_, per second
+};
+
+/// Turns a view round the solid while the player asks for it, and back afterwards.
+class LookRound {
+ public:
+  static constexpr double kSpeed = 2;      ///< radians a second
+  static constexpr double kReturn = 7;     ///< rate of the way back, per second
+  static constexpr double kMaxReturn = 5;  ///< radians a second
+  static constexpr double kMaxUp = 1.5;    ///< largest angle upwards and downwards, radians
+
+  /// Turns for `seconds` ≥ 0, and by LookInput::turn.
+  void update(const LookInput& input, double seconds);
+  void reset() { angles_ = glm::dvec2(0); }
+
+  /// To the right and upwards, radians.
+  glm::dvec2 angles() const { return angles_; }
+  /// The turned view: the same without angles, and with larger ones of the whole solid.
+  ViewPoint turned(const ViewPoint& view, const SolidMesh& mesh) const;
+
+ private:
+  glm::dvec2 angles_{0};
+};
 
 /// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, while
 /// the unfolded solid is folded, comes slowly nearer at a finish, and turns round the solid while the player looks

@@ -3,10 +3,37 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "levels/drawing/colour.h"
+#include "platon/game/solid.h"
 
 namespace platon {
+
+/// The colours of a solid and of the sky round it. Each solid has those of its element in Plato's Timaeus: fire for the
+/// tetrahedron, earth for the hexahedron, air for the octahedron, ether for the dodecahedron and water for the
+/// icosahedron.
+struct Scheme {
+  static constexpr int kTones = 4;
+
+  std::array<Colour, kTones> tones{};  ///< of faces, from dark to light, also for eyes that lack a kind of cones
+  Colour wall{1};
+  Colour skyTop{0};
+  Colour skyBottom{0};
+  Colour glow{0};  ///< in the sky behind the solid
+  Colour mote{1};  ///< of the particles in the sky
+};
+
+const Scheme& schemeOf(SolidKind solid);
+
+/// The tone of each face: no two neighbours have the same.
+const std::vector<int>& tonesOfFaces(SolidKind solid);
+
+/// The scheme with high contrast: a black sky, white walls and almost black faces, which still differ in lightness.
+Scheme highContrast(const Scheme& scheme);
+
+/// The colour of a face with high contrast, from that without.
+Colour highContrastFace(Colour face);
 
 /// What is painted on a ball; ball.frag draws it.
 enum class BallPattern : std::uint8_t { kSpots, kStripes, kBelt, kCross, kDots, kHalves, kChecks, kPlain };
@@ -17,16 +44,16 @@ inline constexpr std::uint32_t kBallColours = 5;
 /// `index` < kBallColours.
 Colour ballColour(std::uint32_t index);
 
-/// How the ball of a player looks.
-struct BallLook {
+/// What the ball of a player looks like.
+struct BallAppearance {
   std::uint32_t colour = 0;  ///< index of ballColour
   BallPattern pattern = BallPattern::kSpots;
 
-  friend bool operator==(const BallLook&, const BallLook&) = default;
+  friend bool operator==(const BallAppearance&, const BallAppearance&) = default;
 };
 
-/// The look of a player who has chosen none. Those of kBallColours · kBallPatterns successive slots differ.
-BallLook lookOfSlot(std::uint32_t slot);
+/// The appearance of a player who has chosen none. Those of kBallColours · kBallPatterns successive slots differ.
+BallAppearance appearanceOfSlot(std::uint32_t slot);
 
 /// What the local player has chosen for its own ball.
 struct BallChoice {
@@ -34,9 +61,9 @@ struct BallChoice {
   std::optional<BallPattern> pattern{};
 };
 
-/// The looks of players as the local player sees them: its own as it has chosen. Who would look the same has the look
-/// of the local player's slot instead.
-BallLook lookOf(std::uint32_t slot, std::optional<std::uint32_t> localSlot, const BallChoice& own);
+/// The appearance of a player as the local player sees it: its own as it has chosen. Who would look the same has the
+/// appearance of the local player's slot instead.
+BallAppearance appearanceOf(std::uint32_t slot, std::optional<std::uint32_t> localSlot, const BallChoice& own);
 
 /// Colour of a player who has chosen none.
 Colour playerColour(std::uint32_t slot);

@@ -4,7 +4,6 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 #include "client/scene/view_point.h"
 

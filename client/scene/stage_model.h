@@ -7,8 +7,9 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
-#include "client/scene/look/scheme.h"
+#include "client/scene/palette.h"
 #include "client/scene/solid_mesh.h"
 #include "levels/drawing/level_marks.h"
 #include "platon/game/element.h"
@@ -68,5 +69,29 @@ struct StageModel {
 std::optional<Marker> markerOn(const SolidMesh& mesh, int face, const Marker& marker, double reach);
 
 std::shared_ptr<const StageModel> makeStageModel(const Level& level);
+
+/// A stroke on a face that belongs to no level, such as a segment while it is drawn. With equal ends, a dot.
+struct FaceMark {
+  int face = 0;
+  glm::vec2 a{0};  ///< level units in the frame of the face
+  glm::vec2 b{0};
+  float width = 4;      ///< level units
+  glm::vec4 colour{1};  ///< with opacity
+};
+
+/// Marks that are drawn together. A list is never changed, so that a painter can keep it.
+using FaceMarks = std::shared_ptr<const std::vector<FaceMark>>;
+
+/// A small sign by which players tell faces apart: a ring with a number of corners, and dots in it.
+struct FaceSign {
+  glm::vec2 place{0};  ///< level units in the frame of the face
+  float radius = 1;    ///< level units
+  int corners = 3;     ///< 3 … 7; the ring of 7 is drawn as a circle
+  int dots = 1;        ///< 1 … 4
+};
+
+/// The signs of the faces, each one different. A sign lies in the middle or towards a corner: where it is farthest from
+/// segments, start and goal.
+std::vector<FaceSign> signsOf(const StageModel& stage);
 
 }  // namespace platon

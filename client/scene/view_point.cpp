@@ -1,6 +1,7 @@
 #include "client/scene/view_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,5 +20,13 @@ ViewPoint drawnBack(const SolidMesh& mesh, glm::dquat orientation, glm::dvec3 fr
   const double height = glm::dot(mesh.normal(mesh.faceTowards(eye)), eye);
   return {orientation, eye * std::max(1.0, (mesh.inradius() + kClearance) / height)};
 }
+
+double leftAfter(double distance, double rate, double maxSpeed, double seconds) {
+  const double beyond = std::max(0.0, distance - maxSpeed / rate);
+  const double straight = std::min(seconds, beyond / maxSpeed);
+  return (distance - maxSpeed * straight) * std::exp(-rate * (seconds - straight));
+}
+
+double smootherstep(double part) { return part * part * part * (part * (6 * part - 15) + 10); }
 
 }  // namespace platon

@@ -23,4 +23,11 @@ struct ViewPoint {
 /// fills the picture. The eye is never in the solid.
 ViewPoint drawnBack(const SolidMesh& mesh, glm::dquat orientation, glm::dvec3 fromCentre, double part);
 
+/// What is left of `distance` ≥ 0 after `seconds` ≥ 0 of an approach at `rate` × the rest a second, but at `maxSpeed` a
+/// second at most. Rate and speed are more than 0. Two calls in turn equal one call with the sum of their times.
+double leftAfter(double distance, double rate, double maxSpeed, double seconds);
+
+/// A way from 0 to 1 that begins and ends without a jerk, at `part` (0 … 1) of its time.
+double smootherstep(double part);
+
 }  // namespace platon

@@ -86,7 +86,7 @@ std::vector<Entry> entriesOf(Settings& settings) {
   CameraComfort& comfort = settings.comfort;
   return {
       {"turn-speed", "a number from 1 to 30",
-       [&comfort](std::string_view value) { return parse(value, comfort.turnSpeed, kMinTurnSpeed, kMaxTurnSpeed); }},
+       [&comfort](std::string_view value) { return parse(value, comfort.turnRate, kMinTurnSpeed, kMaxTurnSpeed); }},
       {"camera", "follow, face or face-fade",
        [&comfort](std::string_view value) { return parse(value, comfort.view); }},
       {"zoom", "a number from 0.5 to 2",
@@ -177,7 +177,7 @@ bool isListUrl(std::string_view text) {
 
 std::string Settings::text() const {
   std::ostringstream out;
-  out << "turn-speed " << comfort.turnSpeed << "\n";
+  out << "turn-speed " << comfort.turnRate << "\n";
   out << "instant-cut " << onOff(comfort.instantCut) << "\n";
   out << "reduced-motion " << onOff(comfort.reducedMotion) << "\n";
   out << "ball-colour " << wordOf(ball.colour) << "\n";

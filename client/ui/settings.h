@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/quality/quality_choice.h"
-#include "client/scene/camera_comfort.h"
+#include "client/scene/camera_controls.h"
 #include "client/scene/palette.h"
 #include "client/ui/control_frame.h"
 #include "client/ui/controls/bindings.h"

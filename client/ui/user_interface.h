@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "client/scene/look_input.h"
+#include "client/scene/camera_controls.h"
 #include "client/ui/controls/held_keys.h"
 #include "client/ui/controls/input_mapper.h"
 #include "client/ui/controls/key_hints.h"

@@ -149,7 +149,7 @@ TEST(OlderFiles, SettingsAndKeysOfControlsAreTakenOver) {
   EXPECT_EQ(settings.zoom, 1.5);
   EXPECT_EQ(settings.uiScale, 1.25);
   EXPECT_EQ(settings.controls, ControlFrame::kScreen);
-  EXPECT_EQ(settings.comfort.turnSpeed, 5);
+  EXPECT_EQ(settings.comfort.turnRate, 5);
   EXPECT_TRUE(settings.comfort.reducedMotion);
   EXPECT_EQ(settings.volume, 35);
   EXPECT_FALSE(settings.chat);

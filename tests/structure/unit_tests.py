@@ -10,11 +10,7 @@ PROGRAM_FOLDERS = ("shared/examples/",)  # package_test.py builds and runs them
 EXCEPTIONS = {
     "client/bot/bot_main.cpp": "tests/net/programs runs platon-bot",
     "client/gl/paint/sky_painter.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/face_program.cpp": "renderer_test and stage_element_painter_test compare its pixels",
-    "client/gl/gl_loader.cpp": "every test that draws loads OpenGL",
     "client/gl/overlay_painter.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/light_map.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/stage_painter.cpp": "renderer_test compares its pixels",
     "client/play/main.cpp": "tests/net/programs runs platon-client",
     "client/play/match_screen.cpp": "window_match_test and window_play_test play in it",
     "client/play/title_screen.cpp": "window_match_test and window_play_test start at it",

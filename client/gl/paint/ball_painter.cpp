@@ -11,7 +11,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "client/gl/draw_calls.h"
+#include "client/gl/gl_objects.h"
 #include "client/scene/face_view.h"
 
 namespace platon {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "client/gl/gl_handle.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
+#include "client/scene/ball_motion.h"
 #include "client/scene/camera.h"
-#include "client/scene/look/ball_motion.h"
 #include "client/scene/scene.h"
 
 namespace platon {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "client/gl/draw_calls.h"
+#include "client/gl/gl_objects.h"
 
 namespace platon {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/gl/gl_handle.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/shader_program.h"
 #include "client/scene/camera.h"
 #include "client/scene/stage_model.h"

@@ -5,8 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "client/gl/colour_texture.h"
-#include "client/gl/draw_calls.h"
+#include "client/gl/gl_objects.h"
 
 namespace platon {
 namespace {
@@ -21,18 +20,18 @@ SkyPainter::SkyPainter() : sky_("sky"), motes_("mote") {}
 
 // A copy costs a tenth of the time that the shader takes.
 void SkyPainter::prepare(const Scheme& scheme, std::uint32_t width, std::uint32_t height) {
-  const Look look{scheme.skyTop, scheme.skyBottom, scheme.glow, width, height};
-  if (look == painted_) return;
-  painted_ = look;
+  const Appearance appearance{scheme.skyTop, scheme.skyBottom, scheme.glow, width, height};
+  if (appearance == painted_) return;
+  painted_ = appearance;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   attachColour(colour_, width, height);
   glViewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
   glDisable(GL_BLEND);
   glBindVertexArray(array_.name());
   sky_.use();
-  sky_.set("top", look.top);
-  sky_.set("bottom", look.bottom);
-  sky_.set("glow", look.glow);
+  sky_.set("top", appearance.top);
+  sky_.set("bottom", appearance.bottom);
+  sky_.set("glow", appearance.glow);
   DrawCalls::arrays(GL_TRIANGLES, 3);
 }
 

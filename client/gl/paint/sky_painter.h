@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "client/gl/gl_handle.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/shader_program.h"
 #include "client/scene/camera.h"
-#include "client/scene/look/scheme.h"
+#include "client/scene/palette.h"
 
 namespace platon {
 
@@ -24,20 +24,20 @@ class SkyPainter {
 
  private:
   // What the sky depends on.
-  struct Look {
+  struct Appearance {
     Colour top{0};
     Colour bottom{0};
     Colour glow{0};
     std::uint32_t width = 0;
     std::uint32_t height = 0;
 
-    friend bool operator==(const Look&, const Look&) = default;
+    friend bool operator==(const Appearance&, const Appearance&) = default;
   };
 
   ShaderProgram sky_;
   ShaderProgram motes_;
   GlVertexArray array_;  // empty: the shaders compute positions from gl_VertexID
-  Look painted_;         // on the framebuffer
+  Appearance painted_;   // on the framebuffer
   GlFramebuffer framebuffer_;
   GlTexture colour_;
 };

@@ -5,10 +5,10 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "client/gl/draw_calls.h"
-#include "client/gl/paint/face_program.h"
-#include "client/gl/shader_text.h"
-#include "client/scene/look/stage_walls.h"
+#include "client/gl/gl_objects.h"
+#include "client/gl/paint/face_painter.h"
+#include "client/gl/shader_program.h"
+#include "client/scene/walls.h"
 
 namespace platon {
 namespace {

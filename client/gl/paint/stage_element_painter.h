@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/gl/gl_handle.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
 #include "client/scene/face_view.h"

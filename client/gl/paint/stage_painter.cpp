@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -10,12 +11,87 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "client/gl/draw_calls.h"
-#include "client/gl/paint/face_program.h"
-#include "client/scene/look/face_light.h"
-#include "client/scene/look/stage_walls.h"
+#include "client/gl/gl_objects.h"
+#include "client/gl/paint/face_painter.h"
+#include "client/gl/shader_program.h"
+#include "client/scene/face_view.h"
+#include "client/scene/walls.h"
 
 namespace platon {
+namespace {
+
+ShaderProgram programOf(const char* fragments) { return {shaderText("marker.vert"), shaderText(fragments)}; }
+
+}  // namespace
+
+// A program for each kind: drivers that draw with the processor execute all branches of a shader.
+MarkerPainter::MarkerPainter()
+    : programs_{programOf("goal.frag"),   programOf("burst.frag"), programOf("start.frag"), programOf("sign.frag"),
+                programOf("shadow.frag"), programOf("edge.frag"),  programOf("arrow.frag")} {}
+
+void MarkerPainter::draw(const StageModel& stage, const FaceView& view, const Marker& marker,
+                         const Appearance& appearance) {
+  const auto here = markerOn(stage.mesh, view.face, marker, double{appearance.reach});
+  if (!here) return;
+  ShaderProgram& program = programs_[static_cast<std::size_t>(appearance.kind)];
+  useOnFace(program, stage, view);
+  program.set("centre", here->place);
+  program.set("angle", static_cast<float>(here->angle));
+  program.set("radius", appearance.radius);
+  program.set("reach", glm::vec2(appearance.reach, appearance.reach * appearance.height));
+  program.set("opened", appearance.opened);
+  program.set("seconds", appearance.seconds);
+  program.set("form", appearance.form);
+  glBindVertexArray(array_.name());
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
+}
+
+WallPainter::WallPainter() : program_("wall") {
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
+  constexpr GLsizei kSize = sizeof(WallVertex);
+  for (const GLuint attribute : {0U, 1U, 2U, 3U}) glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kSize, bufferOffset(offsetof(WallVertex, place)));
+  glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, normal)));
+  glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, colour)));
+  glVertexAttribPointer(3, 2, GL_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, aside)));
+}
+
+void WallPainter::load(const WallMesh& mesh) {
+  faces_ = mesh.faces;
+  const auto bytes = [](const auto& values) { return static_cast<GLsizeiptr>(values.size() * sizeof(values[0])); };
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+  glBufferData(GL_ARRAY_BUFFER, bytes(mesh.vertices), mesh.vertices.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
+}
+
+void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast,
+                       const std::optional<EdgeCrossing::Tint>& tint) {
+  glEnable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glBindVertexArray(array_.name());
+  program_.use();
+  program_.set("pixels", glm::vec2(pixels) / 2.0F);
+  program_.set("asideScale", static_cast<float>(127 / WallVertex::kAsideScale));
+  for (const FaceView& view : views) {
+    const auto face = static_cast<std::size_t>(view.face);
+    if (face >= faces_.size() || faces_[face].count == 0) continue;
+    program_.set("toClip", view.toClip);
+    program_.set("eye", view.eye);
+    program_.set("light", glm::vec3(faceLight(stage.mesh, view.face)));
+    program_.set("ground", highContrast ? Colour(1) : stage.faces[face].colour);
+    program_.set("lit", litOf(view));
+    const bool tinted = tint && tint->face == view.face;
+    program_.set("up", tinted ? tint->up * static_cast<float>(tint->light) : glm::vec2(0));
+    DrawCalls::elements(GL_TRIANGLES, static_cast<GLsizei>(faces_[face].count), GL_UNSIGNED_INT,
+                        bufferOffset(faces_[face].first * sizeof(std::uint32_t)));
+  }
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+}
+
 namespace {
 
 constexpr float kNumberedFace = 700;  // apothem from which a face has several numbers
@@ -78,9 +154,9 @@ void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views
 
 void StagePainter::drawSign(const StageModel& stage, const FaceView& view) {
   const FaceSign& sign = signs_[static_cast<std::size_t>(view.face)];
-  MarkerPainter::Look look{MarkerPainter::Kind::kSign, sign.radius, sign.radius * 1.1F};
-  look.form = glm::vec2(sign.corners, sign.dots);
-  markers_.draw(stage, view, {view.face, sign.place, 0}, look);
+  MarkerPainter::Appearance appearance{MarkerPainter::Kind::kSign, sign.radius, sign.radius * 1.1F};
+  appearance.form = glm::vec2(sign.corners, sign.dots);
+  markers_.draw(stage, view, {view.face, sign.place, 0}, appearance);
 }
 
 void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels,
@@ -147,40 +223,40 @@ void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, const D
   constexpr auto goalRadius = static_cast<float>(StageModel::kGoalRadius);
   using Kind = MarkerPainter::Kind;
   markers_.draw(stage, view, stage.start, {Kind::kStart, kStartRadius, kStartRadius * 1.2F});
-  MarkerPainter::Look goal{Kind::kGoal, goalRadius, goalRadius * kGoalReach};
+  MarkerPainter::Appearance goal{Kind::kGoal, goalRadius, goalRadius * kGoalReach};
   goal.opened = static_cast<float>(decoration.goal.opened());
   goal.seconds = decoration.seconds;
   markers_.draw(stage, view, stage.goal, goal);
   if (decoration.goal.burst() >= 1) return;
-  MarkerPainter::Look burst{Kind::kBurst, goalRadius, goalRadius * kBurstReach};
+  MarkerPainter::Appearance burst{Kind::kBurst, goalRadius, goalRadius * kBurstReach};
   burst.opened = static_cast<float>(decoration.goal.burst());
   markers_.draw(stage, view, stage.goal, burst);
 }
 
 void StagePainter::drawCrossing(const StageModel& stage, const FaceView& view, const EdgeCrossing& crossing) {
   for (const EdgeCrossing::Glow& glow : crossing.glows()) {
-    MarkerPainter::Look look{MarkerPainter::Kind::kEdge, kGlowWidth, kGlowLength};
-    look.opened = static_cast<float>(glow.light);
-    look.height = kGlowWidth / kGlowLength;
-    look.form.x = kGlowLength;
-    markers_.draw(stage, view, glow.foot, look);
+    MarkerPainter::Appearance appearance{MarkerPainter::Kind::kEdge, kGlowWidth, kGlowLength};
+    appearance.opened = static_cast<float>(glow.light);
+    appearance.height = kGlowWidth / kGlowLength;
+    appearance.form.x = kGlowLength;
+    markers_.draw(stage, view, glow.foot, appearance);
   }
   const std::optional<EdgeCrossing::Arrow> arrow = crossing.arrow();
   if (!arrow) return;
-  MarkerPainter::Look look{MarkerPainter::Kind::kArrow, kArrowLength / 2, kArrowLength / 2 * 1.4F};
-  look.opened = static_cast<float>(arrow->light);
-  markers_.draw(stage, view, arrow->place, look);
+  MarkerPainter::Appearance appearance{MarkerPainter::Kind::kArrow, kArrowLength / 2, kArrowLength / 2 * 1.4F};
+  appearance.opened = static_cast<float>(arrow->light);
+  markers_.draw(stage, view, arrow->place, appearance);
 }
 
 void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
   const SolidMesh& mesh = scene.stage->mesh;
   constexpr auto kBallRadius = static_cast<float>(StageModel::kPlayerRadius);
-  const MarkerPainter::Look look{MarkerPainter::Kind::kShadow, kBallRadius, kBallRadius * 1.6F};
+  const MarkerPainter::Appearance appearance{MarkerPainter::Kind::kShadow, kBallRadius, kBallRadius * 1.6F};
   for (const PlayerDrawing& player : scene.players) {
     const int face = mesh.faceTowards(player.pose.position);
     const glm::dvec4 place = glm::inverse(mesh.faceToWorld(face)) * glm::dvec4(player.pose.position, 1);
     const glm::vec2 fall = -0.4F * kBallRadius * glm::vec2(faceLight(mesh, face));  // away from the light
-    markers_.draw(*scene.stage, view, {face, glm::vec2(place) + fall, 0}, look);
+    markers_.draw(*scene.stage, view, {face, glm::vec2(place) + fall, 0}, appearance);
   }
 }
 

@@ -1,27 +1,68 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "client/gl/gl_handle.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/paint/face_painter.h"
-#include "client/gl/paint/marker_painter.h"
 #include "client/gl/paint/stage_element_painter.h"
-#include "client/gl/paint/wall_painter.h"
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
+#include "client/scene/edge_crossing.h"
 #include "client/scene/face_view.h"
-#include "client/scene/look/edge_crossing.h"
-#include "client/scene/look/edge_meetings.h"
-#include "client/scene/look/element_motion.h"
-#include "client/scene/look/face_sign.h"
-#include "client/scene/look/goal_motion.h"
 #include "client/scene/scene.h"
 #include "client/scene/stage_model.h"
+#include "client/scene/stage_motion.h"
+#include "client/scene/walls.h"
 
 namespace platon {
+
+/// Draws round things that lie on faces.
+class MarkerPainter {
+ public:
+  enum class Kind : std::uint8_t { kGoal, kBurst, kStart, kSign, kShadow, kEdge, kArrow };
+
+  struct Appearance {
+    Kind kind = Kind::kShadow;
+    float radius = 0;   ///< level units
+    float reach = 0;    ///< half the side of the square that is drawn, level units
+    float opened = 0;   ///< of a kGoal, or how far a kBurst is, or how strong a kEdge or kArrow: 0 … 1
+    float height = 1;   ///< of what is drawn, in widths
+    float seconds = 0;  ///< time of the animation of a kGoal
+    glm::vec2 form{0};  ///< of a kSign: corners of the ring, dots
+  };
+
+  MarkerPainter();
+
+  /// Draws the part of a marker on this face, if there is one.
+  void draw(const StageModel& stage, const FaceView& view, const Marker& marker, const Appearance& appearance);
+
+ private:
+  std::array<ShaderProgram, 7> programs_;  // by kind
+  GlVertexArray array_;                    // empty: the shader computes the corners from gl_VertexID
+};
+
+/// Draws walls, with depth.
+class WallPainter {
+ public:
+  WallPainter();
+
+  /// Replaces the walls that are drawn.
+  void load(const WallMesh& mesh);
+  /// Draws the walls of these faces into a picture of this size, floors with this tint.
+  void draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast,
+            const std::optional<EdgeCrossing::Tint>& tint);
+
+ private:
+  ShaderProgram program_;
+  GlVertexArray array_;
+  GlBuffer vertices_;
+  GlBuffer triangles_;
+  std::vector<WallMesh::Part> faces_;
+};
 
 /// Draws the solid and everything on its faces.
 class StagePainter {

@@ -19,7 +19,7 @@ foreach(file IN LISTS files)
   get_filename_component(name ${file} NAME)
   string(APPEND entries "    {\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()
-file(WRITE ${OUT} "#include \"client/gl/shader_text.h\"
+file(WRITE ${OUT} "#include \"client/gl/shader_program.h\"
 
 #include <map>
 #include <stdexcept>

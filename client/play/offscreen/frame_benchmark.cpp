@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "client/gl/draw_calls.h"
-#include "client/gl/gl_loader.h"
+#include "client/gl/gl_context.h"
+#include "client/gl/gl_objects.h"
 
 namespace platon {
 namespace {

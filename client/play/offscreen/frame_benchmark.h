@@ -10,7 +10,7 @@
 
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/netcode/prediction.h"
 #include "client/play/offscreen/local_game.h"

@@ -6,7 +6,7 @@
 
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/play/client_options.h"
 #include "client/play/match/live_match.h"

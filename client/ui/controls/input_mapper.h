@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "client/scene/look_input.h"
+#include "client/scene/camera_controls.h"
 #include "client/ui/controls/bindings.h"
 #include "client/ui/controls/held_keys.h"
 #include "client/ui/controls/toggled_controls.h"

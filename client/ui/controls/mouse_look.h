@@ -2,7 +2,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "client/scene/look_input.h"
+#include "client/scene/camera_controls.h"
 #include "client/ui/pointer_event.h"
 
 namespace platon {

@@ -78,7 +78,7 @@ TEST_F(SettingsFileTest, OneBadLineDoesNotLoseTheOtherSettings) {
   const Settings settings = playOnce();
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
             "platon-client: " + path_.string() + ": line 2: zoom must be a number from 0.5 to 2\n");
-  EXPECT_EQ(settings.comfort.turnSpeed, 12);
+  EXPECT_EQ(settings.comfort.turnRate, 12);
   EXPECT_EQ(settings.zoom, Settings().zoom);
   EXPECT_EQ(settings.controls, ControlFrame::kScreen);
   EXPECT_TRUE(settings.fullscreen);

@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"
 

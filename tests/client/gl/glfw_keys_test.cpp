@@ -1,4 +1,4 @@
-#include "client/gl/glfw_keys.h"
+#include "client/gl/window.h"
 
 #include <bitset>
 #include <cstddef>

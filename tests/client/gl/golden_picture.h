@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
 
-#include "client/gl/gl_loader.h"
+#include "client/gl/gl_context.h"
 #include "client/gl/image.h"
 
 namespace platon {

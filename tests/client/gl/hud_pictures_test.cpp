@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/hud/hud.h"
 #include "client/ui/high_contrast_overlay.h"
 #include "client/ui/replay_bar.h"

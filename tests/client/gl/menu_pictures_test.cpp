@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/menu/pages/level_card.h"
 #include "client/menu/pages/pause_page.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "client/gl/game_view.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "platon/game/game.h"
 #include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"

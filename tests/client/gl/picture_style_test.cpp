@@ -1,4 +1,4 @@
-#include "client/gl/picture_style.h"
+#include "client/gl/renderer.h"
 
 #include <utility>
 #include <vector>

@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "client/gl/game_view.h"
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/gl/renderer.h"
 #include "client/quality/quality.h"
 #include "platon/game/game.h"

@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/gl/renderer.h"
-#include "client/scene/look/wall.h"
+#include "client/scene/walls.h"
 #include "tests/client/gl/test_stage.h"
 
 namespace platon {

@@ -6,11 +6,44 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 
 namespace platon::render_target_test {
 namespace {
+
+// Left half black, right half white; then scaled to the size of the picture.
+Image halves(std::uint32_t width, double scale) {
+  const RenderTarget target(width, 4, 1, scale);
+  target.bindSampled();
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(static_cast<GLint>(target.sampledWidth() / 2), 0, static_cast<GLsizei>(width), 4);
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+  target.resolve();
+  EXPECT_EQ(takeGlErrors(), "");
+  return target.read();
+}
+
+TEST(PictureScaler, InterpolatesLinearly) {
+  const Offscreen context;
+  const Image image = halves(8, 0.5);
+  const std::vector<int> expected{0, 0, 0, 64, 191, 255, 255, 255};
+  for (std::size_t x = 0; x < expected.size(); ++x) EXPECT_NEAR(image.pixels[3 * x], expected[x], 1) << x;
+}
+
+TEST(PictureScaler, FillsThePicture) {
+  const Offscreen context;
+  for (const double scale : {0.5, 0.75, 0.85}) {
+    const Image image = halves(40, scale);
+    for (std::size_t y = 0; y < image.height; ++y) {
+      EXPECT_EQ(image.pixels[3 * 40 * y], 0) << scale;
+      EXPECT_EQ(image.pixels[3 * (40 * y + 39)], 255) << scale;
+    }
+  }
+}
 
 void clear(float red, float green, float blue) {
   glClearColor(red, green, blue, 1);
@@ -72,5 +105,31 @@ TEST_F(RenderTargetTest, AnUnsupportedSizeIsAnError) {
   takeGlErrors();
 }
 
+void fill(const RenderTarget& target, float grey) {
+  target.bindSampled();
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glClearColor(grey, grey, grey, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  target.resolve();
+}
+
+TEST(PictureFade, IsBetweenTheKeptPictureAndTheNewOne) {
+  const Offscreen context;
+  PictureFade fade;
+  for (const int samples : {1, 4}) {
+    const RenderTarget target(6, 4, samples);
+    fill(target, 1);
+    fade.keep(target);
+    for (const double opacity : {0.0, 0.25, 1.0}) {
+      fill(target, 0);
+      fade.draw(opacity);
+      const Image image = target.read();
+      for (std::size_t i = 0; i < image.pixels.size(); ++i) ASSERT_NEAR(image.pixels[i], 255 * opacity, 1) << i;
+    }
+  }
+  EXPECT_EQ(takeGlErrors(), "");
+}
+
 }  // namespace
+
 }  // namespace platon::render_target_test

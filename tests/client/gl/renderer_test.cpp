@@ -11,9 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "client/gl/game_view.h"
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
-#include "client/scene/look/wall.h"
+#include "client/gl/gl_context.h"
+#include "client/scene/walls.h"
 #include "tests/client/gl/render_fixture.h"
 #include "tests/client/gl/test_stage.h"
 

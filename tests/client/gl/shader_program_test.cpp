@@ -6,11 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/gl_handle.h"
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
+#include "client/gl/gl_objects.h"
 #include "client/gl/render_target.h"
-#include "client/gl/shader_text.h"
 
 namespace platon::shader_program_test {
 namespace {

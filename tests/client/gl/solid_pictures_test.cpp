@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/gl/renderer.h"
 #include "platon/game/game.h"
 #include "tests/client/gl/golden_picture.h"

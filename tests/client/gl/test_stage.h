@@ -34,7 +34,7 @@ inline PlayerDrawing playerAt(const StageModel& stage, std::uint32_t slot, int f
   player.slot = slot;
   player.pose = stage.mesh.pose(face, place, 0);
   player.colour = playerColour(slot);
-  player.pattern = lookOfSlot(slot).pattern;
+  player.pattern = appearanceOfSlot(slot).pattern;
   player.number = std::to_string(slot + 1);
   return player;
 }

@@ -15,7 +15,7 @@
 #include <glm/common.hpp>
 
 #include "client/gl/game_view.h"
-#include "client/gl/gl_loader.h"
+#include "client/gl/gl_context.h"
 #include "client/ui/controls/input_mapper.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"

@@ -15,7 +15,7 @@
 
 #include "client/files/settings_file.h"
 #include "client/files/user_folders.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "tests/client/gl/desktop.h"

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/gl/window.h"
 #include "client/play/offscreen/offscreen_play.h"
 #include "client/play/screen.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 
 namespace platon::settings_preview_test {
 namespace {
@@ -73,7 +73,7 @@ TEST(SettingsPreview, ThePictureShowsWhatTheSettingsSay) {
       [](Settings& settings) { settings.faceNumbers = true; },
       [](Settings& settings) { settings.ball.colour = 3; },
       [](Settings& settings) { settings.comfort.view = CameraView::kFace; },
-      [](Settings& settings) { settings.comfort.turnSpeed = 2; },
+      [](Settings& settings) { settings.comfort.turnRate = 2; },
       [](Settings& settings) { settings.comfort.instantCut = true; },
       [](Settings& settings) { settings.comfort.reducedMotion = true; },
       [](Settings& settings) { settings.flashes = false; },

@@ -1,12 +1,17 @@
 #include "client/scene/camera_target.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "client/scene/camera.h"
 #include "tests/client/scene/surface_walk.h"
 
 namespace platon::camera_target_test {
@@ -121,5 +126,252 @@ TEST(CameraTarget, ShowsAUsefulPartOfAFaceOfAnySize) {
   });
 }
 
+glm::dvec2 shiftAt(const SolidMesh& mesh, const Pose& player) {
+  return framingShift(cameraTarget(player, mesh, 1), player.position, mesh);
+}
+
+TEST(CameraFraming, LeadsTowardsTheCentreOfTheSolid) {
+  const SolidMesh mesh(SolidKind::kHexahedron, 480);
+  EXPECT_LT(glm::length(shiftAt(mesh, mesh.pose(0, {0, 0}, 0))), 1e-9);
+  const glm::dvec2 shift = shiftAt(mesh, mesh.pose(0, {100, -150}, 0));
+  EXPECT_LT(shift.x, -10);
+  EXPECT_GT(shift.y, 10);
+}
+
+TEST(CameraFraming, IsBoundedAndSmallOnALargeFace) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    for (const double size : {200.0, 480.0, 65536.0}) {
+      const SolidMesh mesh(static_cast<SolidKind>(kind), size);
+      const Pose player = mesh.pose(0, 0.6 * mesh.polygon()[0], 1);
+      const double halfView = cameraTarget(player, mesh, 1).halfView();
+      EXPECT_LE(glm::length(shiftAt(mesh, player)), kMaxFramingShift * halfView * (size > 1000 ? 0.03 : 1) + 1e-9);
+    }
+  }
+}
+
+TEST(CameraFraming, HasNoJumpOnAWalkOverEdges) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    const SolidMesh mesh(static_cast<SolidKind>(kind), 480);
+    SurfaceWalk walk{&mesh, 0, {0, 20}, 0.3};
+    glm::dvec2 last = shiftAt(mesh, walk.pose());
+    for (int step = 0; step < 3000; ++step) {
+      walk.step({0.5, 0});
+      const glm::dvec2 next = shiftAt(mesh, walk.pose());
+      EXPECT_LT(glm::distance(last, next), 4);
+      last = next;
+    }
+  }
+}
+
+// How far out of the middle the furthest of these points on the player's face is seen, in half pictures, wherever on
+// the face the player rests.
+double furthest(const SolidMesh& mesh, std::span<const glm::dvec2> points) {
+  constexpr int kGrid = 12;
+  double most = 0;
+  Camera camera;
+  for (int i = -kGrid; i <= kGrid; ++i) {
+    for (int j = -kGrid; j <= kGrid; ++j) {
+      const glm::dvec2 place = glm::dvec2(i, j) * (mesh.apothem() / kGrid);
+      if (glm::length(place) > 0.95 * mesh.apothem()) continue;
+      camera.set(mesh.pose(0, place, 0), mesh, 1280, 720);
+      for (const glm::dvec2& point : points) {
+        const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(mesh.toWorld(0, point), 1);
+        most = std::max({most, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+      }
+    }
+  }
+  return most;
+}
+
+TEST(CameraFraming, AFaceOfACubeIsWhollyInThePictureAtRest) {
+  for (const double size : {200.0, 320.0, 480.0, 520.0}) {
+    const SolidMesh mesh(SolidKind::kHexahedron, size);
+    EXPECT_LT(furthest(mesh, mesh.polygon()), 0.97) << size;
+  }
+}
+
+// Corners of the others may be out of the picture, and the far edge of a pentagon by a little: with all of them in it,
+// the ball would be too small to play.
+TEST(CameraFraming, TheEdgesOfAFaceAreInThePictureAtRest) {
+  constexpr std::array<double, kSolidKinds> kLargestShipped{640, 520, 520, 356, 520};
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    const SolidMesh mesh(static_cast<SolidKind>(kind), kLargestShipped[static_cast<std::size_t>(kind)]);
+    const auto& corners = mesh.polygon();
+    std::vector<glm::dvec2> middles;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      middles.push_back(0.5 * (corners[i] + corners[(i + 1) % corners.size()]));
+    const bool isPentagon = corners.size() == 5;
+    EXPECT_LT(furthest(mesh, middles), isPentagon ? 1.09 : 1.0) << kind;
+  }
+}
+
+constexpr double kTick = 1.0 / 60;
+constexpr double kRun = 3.2;     // level units a tick
+constexpr double kAtOnce = 1e9;  // a rate at which a point follows at once
+
+Pose poseAt(double right, double up) { return {{right, up, 100}, {0, 1, 0}, {0, 0, 1}}; }
+
+// The lead now.
+glm::dvec2 leadOf(const CameraLead& lead, bool reduced = false) { return lead.followed(kAtOnce, 1e-7, reduced); }
+
+struct Walk {
+  CameraLead lead;
+  glm::dvec2 place{0};
+
+  Walk() { lead.reset(poseAt(0, 0)); }
+  void step(glm::dvec2 way) {
+    place += way;
+    lead.move(poseAt(place.x, place.y));
+    lead.wait(kTick);
+  }
+};
+
+TEST(CameraLead, LeadsWhoRunsOn) {
+  for (const double direction : {-1.0, 1.0}) {
+    Walk walk;
+    double last = 0;
+    for (int tick = 0; tick < 120; ++tick) {
+      walk.step({direction * kRun, 0});
+      const double lead = direction * leadOf(walk.lead).x;
+      EXPECT_GE(lead, last - 1e-6);
+      EXPECT_LE(lead - last, kRun) << "the picture never overtakes the player by more than the player runs";
+      last = lead;
+    }
+    EXPECT_NEAR(last, CameraLead::kMaxLead, 6);
+  }
+}
+
+TEST(CameraLead, SmallTurnsDoNotMoveIt) {
+  Walk walk;
+  for (int tick = 0; tick < 600; ++tick) {
+    walk.step({tick / 8 % 2 == 0 ? kRun : -kRun, 0});
+    EXPECT_NEAR(leadOf(walk.lead).x, 0, 1e-3);
+  }
+}
+
+// A jump of 60 level units in 24 ticks each way.
+TEST(CameraLead, InAJumpThePictureMovesLessThanThePlayer) {
+  Walk walk;
+  double highest = 0;
+  for (int tick = 0; tick < 48; ++tick) {
+    const double height = 60 * (1 - std::pow((tick + 1 - 24) / 24.0, 2));
+    walk.step({0, height - walk.place.y});
+    const double shown = walk.place.y + leadOf(walk.lead).y;
+    highest = std::max(highest, shown);
+    EXPECT_GE(shown, -12);
+  }
+  EXPECT_LT(highest, 35);
+}
+
+TEST(CameraLead, LeadsALongFall) {
+  Walk walk;
+  for (int tick = 0; tick < 90; ++tick) walk.step({0, -5.5});
+  EXPECT_LT(leadOf(walk.lead).y, -50);
+  EXPECT_GE(leadOf(walk.lead).y, -CameraLead::kMaxLead);
+}
+
+TEST(CameraLead, WithReducedMotionNothingLeadsThePlayer) {
+  Walk walk;
+  for (int tick = 0; tick < 90; ++tick) walk.step({kRun, -5.5});
+  EXPECT_NEAR(leadOf(walk.lead, true).x, 0, 1e-3);
+  EXPECT_GE(leadOf(walk.lead, true).y, 0);
+}
+
+TEST(CameraLead, GoesBackWhenThePlayerStands) {
+  Walk walk;
+  for (int tick = 0; tick < 90; ++tick) walk.step({kRun, -5.5});
+  walk.lead.wait(5);
+  EXPECT_NEAR(leadOf(walk.lead).x, 0, 1e-3);
+  EXPECT_NEAR(leadOf(walk.lead).y, 0, 0.2);
+}
+
+// The closed solution against small steps of the differential equation.
+TEST(CameraLead, TheFollowingPointSolvesItsEquation) {
+  constexpr double kRate = 14;
+  for (const glm::dvec2 way : {glm::dvec2(20, 10), glm::dvec2(45, -60), glm::dvec2(-200, 200)}) {
+    CameraLead lead;
+    lead.reset(poseAt(0, 0));
+    lead.move(poseAt(way.x, way.y));
+    CameraLead now = lead;
+    glm::dvec2 place(0);
+    constexpr int kSteps = 200000;
+    constexpr double kStep = 2.0 / kSteps;
+    for (int i = 0; i < kSteps; ++i) {
+      place += (leadOf(now) - place) * kRate * kStep;
+      now.wait(kStep);
+    }
+    const glm::dvec2 solved = lead.followed(kRate, 2, false);
+    EXPECT_NEAR(solved.x, place.x, 0.01);
+    EXPECT_NEAR(solved.y, place.y, 0.01);
+  }
+}
+
+TEST(CameraLead, IsCarriedOverAnEdge) {
+  CameraLead lead;
+  lead.reset(poseAt(0, 0));
+  lead.move(poseAt(125, 0));
+  const glm::dvec2 before = leadOf(lead);
+  lead.move({{125, 0, 100}, {0, 1, 0}, {1, 0, 0}});
+  EXPECT_EQ(leadOf(lead), before);
+}
+
+// Distance of a place from the middle of the picture, in half shorter sides.
+double outwards(const ViewPoint& view, glm::dvec3 place) {
+  const glm::dvec3 seen = glm::conjugate(view.orientation) * (place - view.eye);
+  return std::max(std::abs(seen.x), std::abs(seen.y)) / -seen.z / CameraTarget::kTangent;
+}
+
+TEST(FaceHold, StandsStillAndShowsTheWholeFace) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    const SolidMesh mesh(static_cast<SolidKind>(kind), 480);
+    FaceHold hold;
+    const ViewPoint first = hold.view(mesh.pose(0, {0, 0}, 1), mesh, 1);
+    EXPECT_NEAR(glm::dot(first.back(), mesh.normal(0)), 1, 1e-12);
+    for (const glm::dvec2 corner : mesh.polygon()) {
+      EXPECT_EQ(hold.view(mesh.pose(0, corner, 1), mesh, 1).eye, first.eye);
+      EXPECT_LT(outwards(first, mesh.toWorld(0, corner)), 0.9);
+    }
+  }
+}
+
+TEST(FaceHold, CutsToTheNextFaceWithThePlayerUpright) {
+  const SolidMesh mesh(SolidKind::kTetrahedron, 480);
+  FaceHold hold;
+  hold.view(mesh.pose(0, {0, 0}, 0), mesh, 1);
+  const Pose player = mesh.pose(2, {10, 10}, 2.5);
+  const ViewPoint view = hold.view(player, mesh, 1);
+  EXPECT_NEAR(glm::dot(view.back(), player.normal), 1, 1e-12);
+  EXPECT_NEAR(glm::dot(view.up(), player.up), 1, 1e-12);
+  const Pose turned = mesh.pose(2, {10, 10}, 1);
+  EXPECT_NEAR(glm::dot(hold.view(turned, mesh, 1).up(), turned.up), 1, 1e-12);
+}
+
+TEST(FaceHold, OnALargeFaceThePlayerStaysAwayFromTheBorder) {
+  const SolidMesh mesh(SolidKind::kHexahedron, 65536);
+  FaceHold hold;
+  SurfaceWalk walk{&mesh, 0, {0, 0}, 0};
+  glm::dvec3 last = hold.view(walk.pose(), mesh, 1).eye;
+  int cuts = 0;
+  for (int tick = 0; tick < 3000; ++tick) {
+    walk.step({3.2, 1});
+    const ViewPoint view = hold.view(walk.pose(), mesh, 1);
+    EXPECT_LT(outwards(view, walk.pose().position), 0.71);
+    cuts += view.eye != last ? 1 : 0;
+    last = view.eye;
+  }
+  EXPECT_GT(cuts, 20);
+  EXPECT_LT(cuts, 60);
+}
+
+TEST(FaceHold, ZoomMagnifies) {
+  const SolidMesh mesh(SolidKind::kHexahedron, 480);
+  const Pose player = mesh.pose(0, {30, 0}, 0);
+  FaceHold hold;
+  const double far = glm::length(hold.view(player, mesh, 1).eye) - mesh.inradius();
+  EXPECT_NEAR(glm::length(hold.view(player, mesh, 0.5).eye) - mesh.inradius(), 2 * far, 1e-6);
+  EXPECT_LT(glm::length(hold.view(player, mesh, 2).eye), far);
+}
+
 }  // namespace
+
 }  // namespace platon::camera_target_test

@@ -211,7 +211,7 @@ TEST(Camera, InstantCutEqualsSet) {
   std::mt19937 random(kSeed);
   Camera camera;
   camera.set(randomPose(cube(), random), cube(), 1280, 720);
-  camera.setComfort({.turnSpeed = 7, .instantCut = true, .reducedMotion = false});
+  camera.setComfort({.turnRate = 7, .instantCut = true, .reducedMotion = false});
   const Pose player = randomPose(cube(), random);
   camera.lerp(player, cube(), 0);
   Camera wanted;
@@ -245,7 +245,7 @@ TEST(Camera, TheCameraOfAFaceStandsStillUntilAnEdge) {
 TEST(Camera, ReducedMotionBoundsTheRoll) {
   Camera camera;
   camera.set(cube().pose(0, {0, 0}, 0), cube(), 1280, 720);
-  camera.setComfort({.turnSpeed = 30, .instantCut = false, .reducedMotion = true});
+  camera.setComfort({.turnRate = 30, .instantCut = false, .reducedMotion = true});
   const Pose turned = cube().pose(0, {0, 0}, 1.5);
   for (int step = 0; step < 60; ++step) {
     const double before = camera.rollOf(turned);
@@ -261,7 +261,7 @@ TEST(Camera, AGreaterTurnSpeedRollsFaster) {
   for (const double speed : {1.0, 5.0, 20.0}) {
     Camera camera;
     camera.set(cube().pose(0, {0, 0}, 0), cube(), 1280, 720);
-    camera.setComfort({.turnSpeed = speed, .instantCut = false, .reducedMotion = false});
+    camera.setComfort({.turnRate = speed, .instantCut = false, .reducedMotion = false});
     camera.lerp(turned, cube(), 0.1);
     EXPECT_LT(camera.rollOf(turned), last);
     last = camera.rollOf(turned);

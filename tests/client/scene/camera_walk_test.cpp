@@ -93,7 +93,7 @@ struct Walker {
     camera.lerp(walk.pose(), *walk.mesh, seconds);
     expectVisible(camera, walk.pose(), where);
     if (comfort.view != CameraView::kFollow) return;
-    ASSERT_LE(rollBetween(before, camera), comfort.turnSpeed * seconds + 1e-6) << where;
+    ASSERT_LE(rollBetween(before, camera), comfort.maxRoll() * seconds + 1e-6) << where;
     greatestSwing = std::max(greatestSwing, angleBetween(before.back(), camera.back()) / seconds);
     const double zone = std::min(CameraTarget::kEdgeZone, walk.mesh->apothem() / 2);
     secondsInMiddle = walk.depth() > zone ? secondsInMiddle + seconds : 0;

@@ -1,15 +1,157 @@
 #include "client/scene/game_camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "client/scene/camera_target.h"
 #include "platon/game/level.h"
 
 namespace platon::game_camera_test {
 namespace {
+
+ViewPoint onFace(const SolidMesh& mesh, int face, glm::dvec2 place, double angle) {
+  const Pose player = mesh.pose(face, place, angle);
+  const CameraTarget target = cameraTarget(player, mesh, 1);
+  return {target.orientation, player.position + target.distance * target.back()};
+}
+
+class CameraFlightTest : public testing::Test {
+ protected:
+  CameraFlightTest() { flight_.start(from_); }
+
+  SolidMesh mesh_{SolidKind::kIcosahedron, 480};
+  ViewPoint from_ = onFace(mesh_, 13, {10, 20}, 2);
+  ViewPoint to_ = onFace(mesh_, 0, {-20, 10}, 0);
+  CameraFlight flight_;
+};
+
+TEST_F(CameraFlightTest, LeadsFromOneViewToTheOther) {
+  EXPECT_TRUE(flight_.flying());
+  EXPECT_LT(glm::distance(flight_.towards(to_, mesh_).eye, from_.eye), 1e-6);
+  flight_.advance(CameraFlight::kSeconds - 0.001);
+  EXPECT_TRUE(flight_.flying());
+  EXPECT_LT(glm::distance(flight_.towards(to_, mesh_).eye, to_.eye), 0.1);
+  flight_.advance(0.002);
+  EXPECT_FALSE(flight_.flying());
+  EXPECT_EQ(flight_.towards(to_, mesh_).eye, to_.eye);
+}
+
+TEST_F(CameraFlightTest, NeverJumps) {
+  constexpr double kFrame = 1.0 / 60;
+  ViewPoint last = from_;
+  while (flight_.flying()) {
+    flight_.advance(kFrame);
+    const ViewPoint view = flight_.towards(to_, mesh_);
+    EXPECT_LT(glm::distance(view.eye, last.eye), 100);
+    EXPECT_GT(glm::dot(view.back(), last.back()), 0.995);
+    last = view;
+  }
+}
+
+TEST_F(CameraFlightTest, ASkippedFlightEndsSoon) {
+  flight_.advance(0.5);
+  const ViewPoint before = flight_.towards(to_, mesh_);
+  flight_.skip();
+  EXPECT_EQ(flight_.towards(to_, mesh_).eye, before.eye) << "the picture does not jump";
+  flight_.advance(CameraFlight::kSkipSeconds / 2);
+  flight_.skip();
+  flight_.advance(CameraFlight::kSkipSeconds / 2 + 1e-9);
+  EXPECT_FALSE(flight_.flying());
+}
+
+TEST_F(CameraFlightTest, SkippingTheEndDoesNotMakeItSlower) {
+  flight_.advance(CameraFlight::kSeconds - 0.01);
+  flight_.skip();
+  flight_.advance(0.011);
+  EXPECT_FALSE(flight_.flying());
+}
+
+TEST_F(CameraFlightTest, AStoppedFlightIsOver) {
+  flight_.stop();
+  EXPECT_FALSE(flight_.flying());
+  EXPECT_EQ(flight_.towards(to_, mesh_).eye, to_.eye);
+}
+
+const ViewPoint kView{{1, 0, 0, 0}, {30, -20, 1000}};
+
+const SolidMesh& cube() {
+  static const SolidMesh mesh(SolidKind::kHexahedron, 480);
+  return mesh;
+}
+
+LookInput towards(double right, double up) { return {true, {right, up}}; }
+
+TEST(LookRound, TurnsWhileItIsHeld) {
+  LookRound look;
+  look.update(towards(1, 0), 0.25);
+  EXPECT_NEAR(look.angles().x, LookRound::kSpeed / 4, 1e-12);
+  look.update(towards(0, 0), 1);
+  EXPECT_NEAR(look.angles().x, LookRound::kSpeed / 4, 1e-12) << "held without a direction, it stays";
+  look.update(towards(0, -1), 0.1);
+  EXPECT_NEAR(look.angles().y, -LookRound::kSpeed / 10, 1e-12);
+}
+
+TEST(LookRound, RightAndUpAreThoseOfTheScreen) {
+  LookRound look;
+  look.update(towards(1, 0), 0.3);
+  EXPECT_GT(look.turned(kView, cube()).back().x, 0.3);
+  look.reset();
+  look.update(towards(0, 1), 0.3);
+  EXPECT_GT(look.turned(kView, cube()).back().y, 0.3);
+}
+
+TEST(LookRound, GoesBackToTheSameView) {
+  LookRound look;
+  look.update(towards(1, 1), 0.5);
+  double last = glm::length(look.angles());
+  for (int step = 0; step < 300; ++step) {
+    look.update({}, 1.0 / 60);
+    const double now = glm::length(look.angles());
+    EXPECT_LE(now, last);
+    EXPECT_LE(last - now, LookRound::kMaxReturn / 60 + 1e-9);
+    last = now;
+  }
+  EXPECT_LT(glm::distance(look.turned(kView, cube()).eye, kView.eye), 1e-6);
+}
+
+TEST(LookRound, TwoReturnsEqualOneOfTheSum) {
+  LookRound once;
+  once.update(towards(1, 0.5), 1);
+  LookRound twice = once;
+  once.update({}, 0.3);
+  twice.update({}, 0.1);
+  twice.update({}, 0.2);
+  EXPECT_LT(glm::distance(once.angles(), twice.angles()), 1e-9);
+}
+
+TEST(LookRound, SeesEverySideAndReturnsTheShortWay) {
+  LookRound look;
+  look.update(towards(1, 0), 1.2 * std::numbers::pi / LookRound::kSpeed);
+  EXPECT_NEAR(look.angles().x, -0.8 * std::numbers::pi, 1e-9);
+  look.update(towards(0, 1), 100);
+  EXPECT_EQ(look.angles().y, LookRound::kMaxUp);
+}
+
+TEST(LookRound, WithoutAnglesItChangesNothing) {
+  const ViewPoint view = LookRound().turned(kView, cube());
+  EXPECT_EQ(view.eye, kView.eye);
+  EXPECT_EQ(view.orientation, kView.orientation);
+}
+
+TEST(LookRound, ATurnIsMadeAtOnceWithinTheLimits) {
+  LookRound look;
+  look.update({true, {}, {0.3, -0.2}}, 0);
+  EXPECT_EQ(look.angles(), glm::dvec2(0.3, -0.2));
+  look.update({true, {}, {0, 9}}, 0);
+  EXPECT_EQ(look.angles().y, LookRound::kMaxUp);
+  look.update({}, 5);
+  EXPECT_LT(glm::length(look.angles()), 1e-3) << "it goes back";
+}
 
 constexpr double kFrame = 1.0 / 60;
 
@@ -193,4 +335,5 @@ TEST_F(GameCameraTest, OnlyTheCameraThatFadesHasFadingCutsAndOnlyAtAnotherView) 
 }
 
 }  // namespace
+
 }  // namespace platon::game_camera_test

@@ -8,7 +8,6 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 
 namespace platon {

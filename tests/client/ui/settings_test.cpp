@@ -12,7 +12,7 @@ using Lines = std::vector<std::string>;
 
 TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   Settings settings;
-  settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true, .view = CameraView::kFaceFade};
+  settings.comfort = {.turnRate = 12.5, .instantCut = true, .reducedMotion = true, .view = CameraView::kFaceFade};
   settings.controls = ControlFrame::kScreen;
   settings.zoom = 1.25;
   settings.uiScale = 1.5;
@@ -50,7 +50,7 @@ TEST(Settings, EmptyLinesAndMissingSettingsAreAllowed) {
   const SettingsResult result = parseSettings("\n  \nzoom 2\n");
   EXPECT_EQ(result.errors, Lines());
   EXPECT_EQ(result.settings.zoom, 2);
-  EXPECT_EQ(result.settings.comfort.turnSpeed, Settings().comfort.turnSpeed);
+  EXPECT_EQ(result.settings.comfort.turnRate, Settings().comfort.turnRate);
 }
 
 // The terminal obeyed what a damaged file told it.

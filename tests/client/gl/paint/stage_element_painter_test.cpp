@@ -7,10 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
+#include "client/gl/gl_context.h"
 #include "client/gl/renderer.h"
-#include "client/gl/shader_text.h"
+#include "client/gl/shader_program.h"
 #include "client/scene/camera_target.h"
 #include "platon/game/game.h"
 #include "tests/client/gl/golden_picture.h"
