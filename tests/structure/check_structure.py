@@ -96,11 +96,17 @@ def check_words(path, text, rows):
 
 def check_threads(path, text, page):
     """A class that has a worker is in the table of threads."""
-    if not path.endswith(".h") or path.startswith(("protocol/work/", "tests/")) or not re.search(r"\bWorker<\w", source_text.code_of(text)):
+    if not path.endswith(".h") or path.startswith(("protocol/work/", "tests/")):
         return
-    owner = "".join(part.capitalize() for part in Path(path).stem.split("_"))
-    if f"`{owner}`" not in page.partition("\n### Threads\n")[2].partition("\n## ")[0]:
-        yield f"{path}:1: {owner} has a worker, but no row in the table of threads in {PAGE}"
+    code = source_text.code_of(text)
+    table = page.partition("\n### Threads\n")[2].partition("\n## ")[0]
+    owners = {}
+    for match in re.finditer(r"\bWorker<\w", code):
+        classes = re.findall(r"^(?:class|struct) (\w+)", code[: match.start()], re.MULTILINE)
+        owners.setdefault(classes[-1] if classes else path, match.start())
+    for owner, place in owners.items():
+        if f"`{owner}`" not in table:
+            yield f"{path}:{source_text.line_of(code, place)}: {owner} has a worker, but no row in the table of threads in {PAGE}"
 
 
 def check_purity(path, text):

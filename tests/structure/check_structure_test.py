@@ -179,9 +179,13 @@ class Purity(Tree):
         self.assert_refused("server/app/log.cpp", "spdlog::init_thread_pool(1, 1);\n", 1, "thread_pool")
 
     def test_threads_are_in_their_table(self):
-        member = "#pragma once\nWorker<int> worker_;\n"
-        self.assert_allowed("client/play/replay_screen.h", member)
-        self.assert_refused("client/play/hidden_work.h", member, 1, "HiddenWork has a worker")
+        def owner(name):
+            return f"class {name} {{\n  Worker<int> worker_;\n}};\n"
+
+        head = "#pragma once\n"
+        self.assert_allowed("client/play/replay_screen.h", head + owner("ReplayScreen"))
+        self.assert_refused("client/play/hidden_work.h", head + owner("HiddenWork"), 3, "HiddenWork has a worker")
+        self.assert_refused("client/play/work.h", head + owner("ReplayScreen") + owner("HiddenWork"), 6, "HiddenWork has")
 
     def test_code_after_a_tricky_literal_is_still_read(self):
         for literal in ("'\"'", '"\\\\"', '"/*"', 'R"x(")x"', "1'000'000"):
