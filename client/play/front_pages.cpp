@@ -12,7 +12,7 @@
 #include "client/files/user_folders.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/menu/pages/several_players_page.h"
-#include "client/replay/same_level.h"
+#include "client/replay/replay.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"

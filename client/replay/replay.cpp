@@ -1,12 +1,37 @@
 #include "client/replay/replay.h"
 
 #include <algorithm>
-#include <optional>
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
-#include "client/replay/recording_fault.h"
+#include "protocol/files/regular_file.h"
 
 namespace platon {
+
+std::optional<RecordingHead> readRecordingHead(std::span<const std::uint8_t> bytes) {
+  const RecordingReader recording(bytes);
+  if (recording.level()) return RecordingHead{kRulesVersion, recording.level()};
+  if (!recording.rules() || *recording.rules() == kRulesVersion) return std::nullopt;
+  const std::span<const std::uint8_t> text = recording.levelText();
+  return RecordingHead{*recording.rules(), loadLevel(std::string(text.begin(), text.end())).level};
+}
+
+std::string otherRulesText(std::uint32_t rules) {
+  return "was recorded by version " + std::to_string(rules) + " of the rules; this program has version " +
+         std::to_string(kRulesVersion) + " and cannot play it, so it is kept as it is";
+}
+
+std::string damagedText(const std::string& fault) { return "is a damaged recording: " + fault; }
+
+std::string recordingFault(const RecordingReader& reader, std::span<const std::uint8_t> recording) {
+  if (reader.state() == RecordingReader::State::kComplete) return {};
+  const std::optional<RecordingHead> head = readRecordingHead(recording);
+  if (head && head->rules != kRulesVersion) return otherRulesText(head->rules);
+  if (reader.state() == RecordingReader::State::kTruncated) return "is a recording that is cut off: " + reader.fault();
+  return head ? damagedText(reader.fault()) : "cannot be played: " + reader.fault();
+}
+
 namespace {
 
 // So that no tick is above 2^32.
@@ -110,6 +135,70 @@ Game Replay::gameAfter(std::uint32_t tick) const {
   game.restore(states_[reached / interval_]);
   for (; reached < tick; ++reached) game.advance(inputsOf(reached));
   return game;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxHeadBytes = kMaxLevelBytes + 64;
+constexpr std::size_t kPartBytes = std::size_t{1} << 20;  // that are read at a time
+
+std::span<const std::uint8_t> bytesOf(const std::string& content) {
+  return {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()};
+}
+
+std::string unreadable(const std::string& reason) { return "cannot be read: " + reason; }
+
+// At most one byte more than `maxBytes`. Returns why it failed, or an empty text.
+std::string readParts(const Descriptor& file, std::size_t maxBytes, std::string& content, const std::stop_token& stop) {
+  while (content.size() <= maxBytes) {
+    if (stop.stop_requested()) return Replay::kStopped;
+    const std::size_t before = content.size();
+    const std::size_t part = std::min(kPartBytes, maxBytes + 1 - before);
+    content.resize(before + part);
+    const std::optional<std::size_t> read = readNext(file, content.data() + before, part);
+    content.resize(before + read.value_or(0));
+    if (!read) return unreadable(std::strerror(errno));
+    if (*read < part) break;
+  }
+  return {};
+}
+
+// At most one byte more than `maxBytes`, and room for as many as the file has: it may be small.
+RecordingBytes readFile(const fs::path& file, std::size_t maxBytes, const std::stop_token& stop) {
+  const OpenedFile opened = openToRead(file.string());
+  if (!opened.file) return {{}, unreadable(opened.fault)};
+  std::error_code fault;
+  const std::uintmax_t size = fs::file_size(file, fault);
+  const auto limit = fault ? maxBytes : static_cast<std::size_t>(std::min<std::uintmax_t>(size, maxBytes));
+  RecordingBytes bytes;
+  bytes.fault = readParts(opened.file, limit, bytes.content, stop);
+  return bytes;
+}
+
+}  // namespace
+
+std::span<const std::uint8_t> RecordingBytes::bytes() const { return bytesOf(content); }
+
+RecordingBytes readRecordingBytes(const fs::path& file, const std::stop_token& stop) {
+  RecordingBytes read = readFile(file, Replay::kMaxBytes, stop);
+  if (read.content.size() > Replay::kMaxBytes) return {{}, "is larger than any recording that can be played"};
+  return read;
+}
+
+std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const fs::path& file, const std::stop_token& stop,
+                                                                    ReplayProgress* progress) {
+  const RecordingBytes read = readRecordingBytes(file, stop);
+  if (!read.fault.empty()) return file.string() + ": " + read.fault;
+  auto replay = Replay::read(read.bytes(), stop, progress);
+  if (const auto* fault = std::get_if<std::string>(&replay)) return file.string() + ": " + *fault;
+  return replay;
+}
+
+std::optional<RecordingHead> readRecordingHeadOf(const fs::path& file, const std::stop_token& stop) {
+  const RecordingBytes read = readFile(file, kMaxHeadBytes, stop);
+  return read.fault.empty() ? readRecordingHead(read.bytes()) : std::nullopt;
 }
 
 }  // namespace platon

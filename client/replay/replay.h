@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,10 +13,34 @@
 #include <vector>
 
 #include "platon/game/game.h"
+#include "platon/game/level.h"
 #include "platon/game/recorded_run.h"
 #include "platon/game/recording_reader.h"
 
 namespace platon {
+
+/// Whether two levels are the same, also if somebody has made one that has the hash of the other.
+inline bool isSameLevel(const Level& a, const Level& b) { return &a == &b || (a.hash == b.hash && a.text == b.text); }
+
+/// What stands at the beginning of a recording, also of one by older rules.
+struct RecordingHead {
+  std::uint32_t rules = 0;             ///< version of the rules that it was recorded with
+  std::shared_ptr<const Level> level;  ///< null if its text is not valid for this program
+};
+
+/// Reads the head from the first bytes of a recording; the rest is not looked at. Returns nothing if it is damaged or
+/// cut off, or not that of a recording.
+std::optional<RecordingHead> readRecordingHead(std::span<const std::uint8_t> bytes);
+
+/// Says of a recording of other rules why it is not played, as the end of a sentence that begins with its name.
+std::string otherRulesText(std::uint32_t rules);
+
+/// Why a reader of this recording has stopped, as the end of a sentence that begins with the name of the file; empty at
+/// the end of a complete recording.
+std::string recordingFault(const RecordingReader& reader, std::span<const std::uint8_t> recording);
+
+/// Says what is wrong with a recording, as the end of such a sentence.
+std::string damagedText(const std::string& fault);
 
 /// The game before the first block of a recording; nothing if the state of that is not valid on the level.
 std::optional<Game> gameBefore(const RecordedBlock& first, const std::shared_ptr<const Level>& level);
@@ -96,5 +121,25 @@ class Replay {
   std::uint32_t interval_ = kMinInterval;
   std::vector<std::vector<std::uint8_t>> states_;  // after 0, interval_, 2 · interval_ … ticks
 };
+
+/// The content of a file that may be a recording, or why there is none, as the end of a sentence that begins with the
+/// name of the file: it cannot be read, is too large, or is no file but a folder or a pipe, which might never end.
+/// Reads a MiB at a time, and ends with the present one when it is asked to stop.
+struct RecordingBytes {
+  std::string content{};
+  std::string fault{};  ///< empty: there is content
+
+  std::span<const std::uint8_t> bytes() const;
+};
+RecordingBytes readRecordingBytes(const std::filesystem::path& file, const std::stop_token& stop = {});
+
+/// Reads a recording from a file, or says in one sentence why it cannot be played. Stops as
+/// readRecordingBytes and Replay::read do, and tells its progress as the latter.
+std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,
+                                                                    const std::stop_token& stop = {},
+                                                                    ReplayProgress* progress = nullptr);
+
+/// Reads the head of a recording from a file. Nothing if it cannot be read, or was stopped.
+std::optional<RecordingHead> readRecordingHeadOf(const std::filesystem::path& file, const std::stop_token& stop = {});
 
 }  // namespace platon

@@ -7,6 +7,7 @@
 #include "platon/game/recorder.h"
 
 namespace platon {
+
 namespace {
 
 std::uint32_t timeOf(const PlayerState& player, const Game& game) { return game.tick() - player.startedAt + 1; }

@@ -1,15 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "client/replay/run.h"
 #include "platon/game/game.h"
+#include "platon/game/level.h"
 #include "platon/game/recorded_run.h"
 
 namespace platon {
+
+/// One attempt of a player from its first input to the goal.
+struct Run {
+  std::shared_ptr<const Level> level;
+  std::uint32_t ticks = 0;              ///< its time, as the game counts it
+  std::vector<std::uint8_t> recording;  ///< ends with the tick in which the player touches the goal
+};
 
 /// Cuts the local player's attempts out of the rounds, each as a recording of its own. Usually that is a game of this
 /// player alone, from the start of the level. Where other players helped, it is the game of all players, from before

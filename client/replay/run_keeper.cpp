@@ -3,8 +3,7 @@
 #include <system_error>
 
 #include "client/netcode/player_snapshot.h"
-#include "client/replay/same_level.h"
-#include "client/replay/track_file.h"
+#include "client/replay/replay.h"
 
 namespace platon {
 void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {

@@ -11,7 +11,6 @@
 #include "client/netcode/prediction.h"
 #include "client/replay/level_ghosts.h"
 #include "client/replay/run_cutter.h"
-#include "client/replay/run_saver.h"
 #include "client/replay/run_store.h"
 #include "client/replay/run_track.h"
 #include "client/scene/scene.h"

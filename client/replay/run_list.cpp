@@ -1,18 +1,171 @@
 #include "client/replay/run_list.h"
 
 #include <algorithm>
-#include <map>
-#include <optional>
-#include <string>
+#include <array>
+#include <chrono>
+#include <cstdio>
 #include <system_error>
-#include <utility>
+#include <variant>
 
-#include "client/replay/ghost_folder.h"
+#include "client/replay/level_ghosts.h"
+#include "client/replay/replay.h"
+#include "platon/game/game.h"
+#include "platon/game/recording_reader.h"
 
 namespace platon {
+
+namespace {
+
+constexpr const char* kDamagedEnd = "is a damaged recording: its end does not give the recorded game";
+
+// The end of a recording: its last block with ticks, and the state after it.
+struct Ending {
+  RecordedBlock block;
+  std::vector<std::uint8_t> state;
+  std::optional<RecordedRun> run;  // with the inputs of the whole recording; nothing: there is no tick
+};
+
+// Reads to the end. Notes why that is impossible.
+Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_token& stop) {
+  Ending ending;
+  std::optional<RecordedBlock> block = reader.next();
+  if (!block) return ending;
+  const std::optional<Game> start = gameBefore(*block, reader.level());
+  if (!start) return note = Replay::kNoStart, ending;
+  PlayCost cost(*start);
+  for (; block && note.empty() && !stop.stop_requested(); block = reader.next()) {
+    if (!cost.add(block->ticks(), block->slots)) note = Replay::kTooLong;
+    if (block->ticks() != 0 && !ending.run) ending.run.emplace(*start);
+    for (std::uint32_t tick = 0; tick < block->ticks(); ++tick) ending.run->add(block->inputsOf(tick));
+    ending.state = block->state;
+    if (block->ticks() != 0) ending.block = std::move(*block);
+  }
+  return ending;
+}
+
+// Plays the last block. Gives the time of the run, if it is one.
+void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending, RecordingFacts& facts,
+                const std::stop_token& stop) {
+  if (!ending.run) return;
+  Game game(level);
+  bool agrees = game.restore(ending.block.state) && game.tick() == ending.block.firstTick;
+  const std::uint32_t last = ending.block.ticks() - 1;
+  for (std::uint32_t tick = 0; agrees && tick < last; ++tick) {
+    if (stop.stop_requested()) return;
+    game.advance(ending.block.inputsOf(tick));
+  }
+  const Game before = game;
+  if (agrees) game.advance(ending.block.inputsOf(last));
+  agrees = agrees && game.save() == ending.state;
+  if (!agrees) facts.note = kDamagedEnd;
+  if (!agrees) return;
+  const auto run = ending.run->finish(before, game);
+  if (const auto* const finish = std::get_if<RunFinish>(&run)) {
+    facts.ticks = finish->ticks;
+  } else {
+    facts.noRun = std::get<std::string>(run);
+  }
+}
+
+}  // namespace
+
+RecordingFacts readRecordingFacts(const std::filesystem::path& file, const std::stop_token& stop) {
+  RecordingFacts facts;
+  const RecordingBytes read = readRecordingBytes(file, stop);
+  facts.note = read.fault;
+  if (!facts.note.empty()) return facts;
+  const auto bytes = read.bytes();
+  RecordingReader reader(bytes);
+  const std::optional<RecordingHead> head = readRecordingHead(bytes);
+  if (!head) {
+    const bool isCut = reader.state() == RecordingReader::State::kTruncated;
+    facts.note = isCut ? recordingFault(reader, bytes) : "is not a recording";
+    return facts;
+  }
+  facts.rules = head->rules;
+  facts.level = head->level;
+  const Ending ending = readEnding(reader, facts.note, stop);
+  if (stop.stop_requested()) return facts;
+  if (facts.note.empty()) facts.note = recordingFault(reader, bytes);
+  if (facts.note.empty()) playEnding(head->level, ending, facts, stop);
+  return facts;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
+
+bool isSame(const DatedFile& a, const DatedFile& b) { return a.bytes == b.bytes && a.date == b.date; }
+
+}  // namespace
+
+bool FactsReader::knows(const DatedFile& file) const {
+  const auto known = known_.find(file.path);
+  return known != known_.end() && isSame(known->second.file, file);
+}
+
+void FactsReader::read(const std::vector<DatedFile>& files) {
+  poll();
+  std::map<fs::path, Known> kept;
+  reading_.drop();
+  files_.clear();
+  for (const DatedFile& file : files) {
+    if (knows(file)) {
+      kept.insert(known_.extract(file.path));
+    } else {
+      files_.push_back(file);
+      reading_.add([file](const std::stop_token& stop) { return read(file, stop); });
+    }
+  }
+  known_ = std::move(kept);
+}
+
+// A file that another program is writing would only seem to be cut off.
+RecordingFacts FactsReader::read(const DatedFile& file, const std::stop_token& stop) {
+  RecordingFacts facts = readRecordingFacts(file.path, stop);
+  std::error_code fault;
+  DatedFile now{file.path, fs::file_size(file.path, fault), {}};
+  if (!fault) now.date = fs::last_write_time(file.path, fault);
+  if (!fault && !isSame(now, file)) facts = {.note = "is still being written; open this page again later"};
+  return facts;
+}
+
+bool FactsReader::poll() {
+  const std::size_t before = files_.size();
+  for (auto facts = reading_.poll(); facts; facts = reading_.take()) {
+    if (!facts->value) facts->value = RecordingFacts{.note = "cannot be read: " + facts->fault};
+    remember({std::move(files_.front()), std::move(*facts->value)});
+    files_.pop_front();
+  }
+  return files_.size() != before;
+}
+
+// Recordings on the same level share it, since it may be large.
+void FactsReader::remember(Known known) {
+  std::shared_ptr<const Level>& level = known.facts.level;
+  const auto same = std::find_if(known_.begin(), known_.end(), [&](const auto& each) {
+    return level && each.second.facts.level && isSameLevel(*each.second.facts.level, *level);
+  });
+  if (same != known_.end()) level = same->second.facts.level;
+  const fs::path path = known.file.path;
+  known_.insert_or_assign(path, std::move(known));
+}
+
+const RecordingFacts* FactsReader::find(const fs::path& file) const {
+  const auto known = known_.find(file);
+  return known == known_.end() ? nullptr : &known->second.facts;
+}
+
+std::string dateText(std::filesystem::file_time_type date) {
+  using namespace std::chrono;
+  const year_month_day day(floor<days>(file_clock::to_sys(date)));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(day.year()),
+                static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+  return text.data();
+}
+
+namespace {
 
 // Friends give files names; the name that the game has given says nothing.
 std::string ownerOf(const fs::path& file) {

@@ -3,7 +3,6 @@
 #include <optional>
 #include <variant>
 
-#include "client/replay/recording_head.h"
 #include "client/replay/replay.h"
 #include "client/replay/run_track.h"
 #include "platon/game/game.h"

@@ -15,7 +15,7 @@
 #include "client/menu/pages/say_page.h"
 #include "client/menu/pages/several_players_page.h"
 #include "client/play/front_pages.h"
-#include "client/replay/recording_head.h"
+#include "client/replay/replay.h"
 #include "client/ui/high_contrast_overlay.h"
 #include "tests/client/gl/flat_picture.h"
 #include "tests/client/gl/golden_picture.h"

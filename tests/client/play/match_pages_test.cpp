@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "client/files/user_folders.h"
-#include "client/replay/recording_facts.h"
-#include "client/replay/replay_file.h"
+#include "client/replay/replay.h"
+#include "client/replay/run_list.h"
 #include "client/replay/run_store.h"
 #include "client/time/steady_now.h"
 #include "client/ui/font.h"

@@ -6,8 +6,8 @@
 
 #include "client/play/match/embedded_server.h"
 #include "client/play/match/live_match.h"
-#include "client/replay/recording_facts.h"
-#include "client/replay/replay_file.h"
+#include "client/replay/replay.h"
+#include "client/replay/run_list.h"
 #include "client/replay/run_store.h"
 #include "tests/client/play/window_play_fixture.h"
 #include "tests/support/process.h"

@@ -1,12 +1,17 @@
 #include "client/replay/replay.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "client/replay/recording_facts.h"
 #include "client/replay/run_cutter.h"
+#include "client/replay/run_list.h"
+#include "client/replay/run_track.h"
 #include "tests/client/replay/older_rules.h"
 #include "tests/client/replay/replay_of.h"
 #include "tests/exactness/properties/seeded_cases.h"
@@ -18,6 +23,61 @@
 
 namespace platon::replay_test {
 namespace {
+
+TEST(RecordingHead, IsReadFromTheFirstBytes) {
+  const std::vector<std::uint8_t> recording = recordGame(100, 60).recording;
+  const std::size_t bytes = Recorder(Game(recordedLevel())).takeBytes().size();
+  const auto head = readRecordingHead(std::span(recording).first(bytes));
+  ASSERT_TRUE(head && head->level);
+  EXPECT_EQ(head->rules, kRulesVersion);
+  EXPECT_EQ(head->level->hash, recordedLevel()->hash);
+  EXPECT_FALSE(readRecordingHead(std::span(recording).first(bytes - 1)));
+  EXPECT_FALSE(readRecordingHead({}));
+}
+
+TEST(RecordingHead, OfOlderRulesIsReadToo) {
+  const auto older = asOfOlderRules(recordGame(10, 60).recording, *recordedLevel());
+  const auto head = readRecordingHead(older);
+  ASSERT_TRUE(head && head->level);
+  EXPECT_EQ(head->rules, kRulesVersion - 1);
+  EXPECT_EQ(head->level->hash, recordedLevel()->hash);
+}
+
+TEST(RecordingHead, ADamagedOneIsNoneWhateverItsRules) {
+  const std::vector<std::uint8_t> recording = recordGame(10, 60).recording;
+  const auto older = asOfOlderRules(recording, *recordedLevel());
+  for (std::vector<std::uint8_t> bytes : {recording, older}) {
+    for (const std::size_t place : {0U, 8U, 12U, 16U, 40U}) {
+      bytes[place] ^= 4;
+      EXPECT_FALSE(readRecordingHead(bytes)) << place;
+      bytes[place] ^= 4;
+    }
+  }
+}
+
+TEST(RecordingHead, TheTextNamesBothVersions) {
+  const std::string text = otherRulesText(3);
+  EXPECT_NE(text.find("version 3 of the rules"), std::string::npos);
+  EXPECT_NE(text.find("version " + std::to_string(kRulesVersion)), std::string::npos);
+  EXPECT_NE(text.find("kept"), std::string::npos);
+}
+
+std::string faultAtTheEndOf(const std::vector<std::uint8_t>& recording) {
+  RecordingReader reader(recording);
+  while (reader.next()) {
+  }
+  return recordingFault(reader, recording);
+}
+
+TEST(RecordingFault, TellsWhatIsCutOffFromWhatIsDamaged) {
+  const std::vector<std::uint8_t> whole = recordGame(100, 60).recording;
+  EXPECT_EQ(faultAtTheEndOf(whole), "");
+  EXPECT_EQ(faultAtTheEndOf({whole.begin(), whole.end() - 1}).find("is a recording that is cut off: byte "), 0U);
+  auto damaged = whole;
+  damaged.back() ^= 1;
+  EXPECT_EQ(faultAtTheEndOf(damaged).find(damagedText("byte ")), 0U);
+  EXPECT_EQ(faultAtTheEndOf({1, 2, 3}), "cannot be played: byte 0: not a recording, or an unsupported version");
+}
 
 std::string faultOf(std::span<const std::uint8_t> recording) {
   const auto read = Replay::read(recording);
@@ -196,6 +256,62 @@ TEST(Replay, StopsWhenItIsAskedTo) {
   stop.request_stop();
   const auto read = Replay::read(recordGame(100, 60).recording, stop.get_token());
   EXPECT_EQ(std::get<std::string>(read), "was not read to its end");
+}
+
+TEST(ReplayFile, IsRead) {
+  const auto replay = readReplay("tests/determinism/golden/hexahedron.recording");
+  ASSERT_TRUE(std::holds_alternative<std::shared_ptr<const Replay>>(replay));
+  EXPECT_GE(std::get<std::shared_ptr<const Replay>>(replay)->ticks(), 1800U);
+}
+
+TEST(ReplayFile, AFaultNamesTheFile) {
+  const TemporaryFolder folder;
+  const std::string missing = (folder / "missing").string();
+  const auto none = readReplay(missing);
+  EXPECT_EQ(std::get<std::string>(none), missing + ": cannot be read: No such file or directory");
+  const std::string text = (folder / "text").string();
+  writeText(text, "no recording");
+  const auto other = readReplay(text);
+  EXPECT_EQ(std::get<std::string>(other),
+            text + ": cannot be played: byte 0: not a recording, or an unsupported version");
+}
+
+TEST(ReplayFile, APipeIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(std::get<std::string>(readReplay(pipe)), pipe + ": cannot be read: it is a pipe, not a regular file");
+  EXPECT_FALSE(readRecordingHeadOf(pipe));
+  EXPECT_EQ(readRecordingFacts(pipe).note, "cannot be read: it is a pipe, not a regular file");
+  EXPECT_EQ(std::get<std::string>(readReplay(folder.path())),
+            folder.path().string() + ": cannot be read: Is a directory");
+}
+
+TEST(ReplayFile, AStopEndsTheReading) {
+  std::stop_source stop;
+  stop.request_stop();
+  const std::filesystem::path file = "levels/data/ways/01_run_and_jump.recording";
+  const RecordingBytes read = readRecordingBytes(file, stop.get_token());
+  EXPECT_EQ(read.content, "");
+  EXPECT_EQ(read.fault, "was not read to its end");
+  const std::string fault = file.string() + ": was not read to its end";
+  EXPECT_EQ(std::get<std::string>(readReplay(file, stop.get_token())), fault);
+  EXPECT_EQ(std::get<std::string>(readTrack(file, nullptr, stop.get_token())), fault);
+  EXPECT_FALSE(readRecordingHeadOf(file, stop.get_token()));
+}
+
+TEST(ReplayFile, ALargeFileIsReadWhole) {
+  const TemporaryFolder folder;
+  std::string content(3 * (std::size_t{1} << 20), 'a');
+  for (std::size_t i = 0; i < content.size(); i += 1000) content[i] = static_cast<char>('a' + i % 26);
+  for (const std::size_t bytes : {content.size(), content.size() - 1, std::size_t{0}}) {
+    writeText(folder / "file", content.substr(0, bytes));
+    EXPECT_TRUE(readRecordingBytes(folder / "file").content == content.substr(0, bytes)) << bytes;
+  }
+  std::filesystem::resize_file(folder / "file", Replay::kMaxBytes);
+  EXPECT_EQ(readRecordingBytes(folder / "file").content.size(), Replay::kMaxBytes);
+  std::filesystem::resize_file(folder / "file", Replay::kMaxBytes + 1);
+  EXPECT_EQ(readRecordingBytes(folder / "file").fault, "is larger than any recording that can be played");
 }
 
 }  // namespace

@@ -1,19 +1,22 @@
 #include "client/replay/run_list.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
-#include "client/replay/recording_head.h"
+#include "client/replay/replay.h"
+#include "client/replay/run_track.h"
 #include "platon/game/game.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/older_rules.h"
+#include "tests/protocol/work/no_thread.h"
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
+#include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
@@ -21,7 +24,172 @@
 namespace platon::run_list_test {
 namespace {
 
+class RecordingFactsTest : public testing::Test {
+ protected:
+  RecordingFactsTest() {
+    followed_.hold(700, 0);  // more than one block
+    followed_.holdToGoal(300, Input::kRight);
+  }
+  RecordingFacts factsOf(const std::vector<std::uint8_t>& recording) const {
+    writeText(file_, {reinterpret_cast<const char*>(recording.data()), recording.size()});
+    return readRecordingFacts(file_);
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "file";
+  FollowedGame followed_{
+      levelOf("# title: Floor\nHEXAHEDRON\n0 0 -180 0\n0 100 -190\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n")};
+};
+
+TEST_F(RecordingFactsTest, ARunHasItsTime) {
+  const RecordingFacts facts = factsOf(followed_.run->recording);
+  EXPECT_EQ(facts.note, "");
+  EXPECT_EQ(facts.rules, kRulesVersion);
+  ASSERT_TRUE(facts.level);
+  EXPECT_EQ(facts.level->title, "Floor");
+  EXPECT_EQ(facts.ticks, followed_.time);
+}
+
+TEST_F(RecordingFactsTest, TheTimesAreThoseOfTheWholePlay) {
+  for (const auto& entry : std::filesystem::directory_iterator("levels/data/ways")) {
+    if (entry.path().extension() != ".recording") continue;
+    const RecordingFacts facts = readRecordingFacts(entry.path());
+    const auto track = readTrack(entry.path());
+    const auto* const run = std::get_if<RunTrack>(&track);
+    EXPECT_EQ(facts.ticks, run == nullptr ? std::nullopt : std::optional(run->ticks)) << entry.path();
+    EXPECT_EQ(facts.note, "") << entry.path();
+  }
+}
+
+TEST_F(RecordingFactsTest, ARoundHasNoTime) {
+  const RecordingFacts facts = factsOf(recordGame(100, 60).recording);
+  EXPECT_EQ(facts.ticks, std::nullopt);
+  EXPECT_EQ(facts.noRun, "is no run: it does not end with a player at the goal");
+  EXPECT_EQ(facts.note, "");
+}
+
+TEST_F(RecordingFactsTest, SaysWhatCannotBePlayed) {
+  EXPECT_EQ(factsOf({1, 2, 3}).note, "is not a recording");
+  EXPECT_EQ(readRecordingFacts(folder_ / "missing").note, "cannot be read: No such file or directory");
+  const auto older = asOfOlderRules(followed_.run->recording, followed_.game.level());
+  const RecordingFacts facts = factsOf(older);
+  EXPECT_EQ(facts.note, otherRulesText(kRulesVersion - 1));
+  EXPECT_EQ(facts.rules, kRulesVersion - 1);
+  ASSERT_TRUE(facts.level);
+  EXPECT_EQ(facts.level->title, "Floor");
+}
+
+TEST_F(RecordingFactsTest, ACutOffOrDamagedRecordingSaysSo) {
+  const auto& whole = followed_.run->recording;
+  EXPECT_EQ(factsOf({whole.begin(), whole.begin() + 10}).note.find("is a recording that is cut off: "), 0U);
+  EXPECT_EQ(factsOf({whole.begin(), whole.end() - 1}).note.find("is a recording that is cut off: "), 0U);
+  auto damaged = whole;
+  damaged.back() ^= 1;
+  const RecordingFacts facts = factsOf(damaged);
+  EXPECT_EQ(facts.note.find("is a damaged recording: "), 0U) << facts.note;
+  EXPECT_EQ(facts.ticks, std::nullopt);
+}
+
+TEST_F(RecordingFactsTest, StopsWhenItIsAskedTo) {
+  factsOf(followed_.run->recording);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(readRecordingFacts(file_, stop.get_token()).ticks, std::nullopt);
+}
+
 namespace fs = std::filesystem;
+
+constexpr const char* kRecording = "levels/data/ways/01_run_and_jump.recording";
+
+// As the list of a folder has it.
+DatedFile dated(const fs::path& file) { return {file, fs::file_size(file), fs::last_write_time(file)}; }
+
+class FactsReaderTest : public testing::Test {
+ protected:
+  FactsReaderTest() { writeText(file_, readText(kRecording)); }
+
+  bool waitFor(const fs::path& file) {
+    return waitUntil([&] {
+      reader_.poll();
+      return reader_.find(file) != nullptr;
+    });
+  }
+
+  const TemporaryFolder folder_;
+  const fs::path file_ = folder_ / "file";
+  FactsReader reader_;
+};
+
+TEST_F(FactsReaderTest, ReadsEachFileOnce) {
+  writeText(folder_ / "text", "no recording");
+  reader_.read({dated(file_), dated(folder_ / "text")});
+  ASSERT_TRUE(waitFor(folder_ / "text"));
+  EXPECT_TRUE(reader_.find(file_)->ticks);
+  EXPECT_EQ(reader_.find(folder_ / "text")->note, "is not a recording");
+  reader_.read({dated(file_)});
+  EXPECT_NE(reader_.find(file_), nullptr) << "remembered";
+  EXPECT_EQ(reader_.find(folder_ / "text"), nullptr) << "forgotten";
+  EXPECT_FALSE(reader_.poll());
+}
+
+TEST_F(FactsReaderTest, AChangedFileIsReadAgain) {
+  reader_.read({dated(file_)});
+  ASSERT_TRUE(waitFor(file_));
+  fs::last_write_time(file_, fs::last_write_time(file_) - std::chrono::hours(1));
+  reader_.read({dated(file_)});
+  EXPECT_EQ(reader_.find(file_), nullptr);
+  writeText(file_, "no recording");
+  reader_.read({dated(file_)});
+  ASSERT_TRUE(waitFor(file_));
+  EXPECT_EQ(reader_.find(file_)->note, "is not a recording");
+}
+
+TEST_F(FactsReaderTest, AGrowingOrVanishedFileSaysSo) {
+  DatedFile before = dated(file_);
+  before.bytes -= 1;
+  reader_.read({before});
+  ASSERT_TRUE(waitFor(file_));
+  EXPECT_EQ(reader_.find(file_)->note, "is still being written; open this page again later");
+  const DatedFile gone = dated(file_);
+  fs::remove(file_);
+  reader_.read({gone});
+  ASSERT_TRUE(waitFor(file_));
+  EXPECT_EQ(reader_.find(file_)->note, "cannot be read: No such file or directory");
+}
+
+TEST_F(FactsReaderTest, WithoutAThreadOneFileIsReadAtATime) {
+  FactsReader reader(noThread);
+  std::vector<fs::path> files;
+  for (const char* const name : {"a", "b", "c"}) {
+    files.push_back(folder_ / name);
+    writeText(files.back(), readText(kRecording));
+  }
+  reader.read({dated(files[0]), dated(files[1]), dated(files[2])});
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(reader.find(files[i]), nullptr);
+    EXPECT_TRUE(reader.poll());
+    ASSERT_NE(reader.find(files[i]), nullptr);
+    EXPECT_TRUE(reader.find(files[i])->ticks);
+  }
+  EXPECT_EQ(reader.find(files[0])->level, reader.find(files[2])->level) << "kept once";
+  EXPECT_FALSE(reader.poll());
+  reader.read({dated(file_)});
+  EXPECT_TRUE(reader.poll());
+  EXPECT_TRUE(reader.find(file_)->ticks);
+}
+
+TEST_F(FactsReaderTest, CanEndWhileItReads) {
+  for (int i = 0; i < 5; ++i) {
+    FactsReader reader;
+    reader.read({dated(file_)});
+  }
+}
+
+TEST(ListedRun, TheDateIsThatOfUtc) {
+  const auto day = std::chrono::sys_days(std::chrono::year(2026) / 2 / 28) + std::chrono::seconds(5);
+  EXPECT_EQ(dateText(std::chrono::file_clock::from_sys(day)), "2026-02-28");
+  EXPECT_EQ(dateText(std::chrono::file_clock::from_sys(day + std::chrono::hours(24))), "2026-03-01");
+}
 
 class RunListTest : public testing::Test {
  protected:
