@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "client/lobby/reached_levels.h"
+#include "client/lobby/remembered.h"
 #include "client/menu/pages/levels_page.h"
 #include "levels/solve/solution.h"
 #include "platon/game/level.h"

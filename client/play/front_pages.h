@@ -9,7 +9,7 @@
 
 #include "client/lobby/listed_servers.h"
 #include "client/lobby/near_servers.h"
-#include "client/lobby/recent_servers.h"
+#include "client/lobby/remembered.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/menu/menu.h"
 #include "client/menu/pages/host_page.h"

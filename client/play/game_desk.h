@@ -11,7 +11,7 @@
 #include "client/gl/game_view.h"
 #include "client/gl/screenshot_writer.h"
 #include "client/gl/window.h"
-#include "client/lobby/recent_servers.h"
+#include "client/lobby/remembered.h"
 #include "client/menu/menu.h"
 #include "client/play/client_options.h"
 #include "client/play/match/session_feeds.h"

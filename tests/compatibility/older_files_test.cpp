@@ -11,9 +11,7 @@
 
 #include "client/files/level_cache.h"
 #include "client/files/settings_file.h"
-#include "client/lobby/known_servers.h"
-#include "client/lobby/reached_levels.h"
-#include "client/lobby/recent_servers.h"
+#include "client/lobby/remembered.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/replay/level_ghosts.h"
 #include "client/replay/replay.h"

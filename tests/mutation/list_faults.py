@@ -3,7 +3,7 @@
 from fault import Fault, at_length
 
 LIST = "protocol/transport/server_list.cpp"
-SEARCH = "client/lobby/listed_search.cpp"
+SEARCH = "client/lobby/listed_servers.cpp"
 
 LIST_FAULTS = [
     at_length("redirected-into-the-network", "client/lobby/download.cpp",

@@ -35,7 +35,7 @@ NAME_FAULTS = [
               "  info->name = visibleLabel(info->name);\n", "",
               "a server nearby with a name of width zero is a blank on the list",
               "NearServersTest.OfANameIsShownWhatCanBeSeen"),
-    at_length("invisible-name-in-a-list", "client/lobby/listed_search.cpp",
+    at_length("invisible-name-in-a-list", "client/lobby/listed_servers.cpp",
               "  targets_.back().listed.name = visibleLabel(server.name);\n", "",
               "a server with a name of width zero is a blank in a list",
               "ListedSearchTest.OfANameIsShownWhatCanBeSeen"),

@@ -5,7 +5,7 @@
 #include "client/files/level_cache.h"
 #include "client/files/server_file_name.h"
 #include "client/files/user_folders.h"
-#include "client/lobby/own_addresses.h"
+#include "client/lobby/near_servers.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/ui/player_rows.h"
 

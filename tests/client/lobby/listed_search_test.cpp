@@ -1,4 +1,4 @@
-#include "client/lobby/listed_search.h"
+#include "client/lobby/listed_servers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

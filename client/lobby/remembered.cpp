@@ -1,7 +1,8 @@
-#include "client/lobby/known_servers.h"
+#include "client/lobby/remembered.h"
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iterator>
@@ -13,10 +14,12 @@
 #include "protocol/files/private_file.h"
 #include "protocol/files/text_file.h"
 #include "protocol/files/word_reader.h"
+#include "protocol/hash_text.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
 
 namespace platon {
+
 namespace {
 
 struct KnownServer {
@@ -120,6 +123,84 @@ std::string KnownServers::remember(const ServerAddress& server, const CryptoKey&
 
 std::string KnownServers::faultOf(const std::string& reason) const {
   return "the key of the server is not kept: " + file_.string() + ": " + reason;
+}
+
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 64 * 1024;
+
+std::vector<ServerAddress> serversIn(const std::string& text) {
+  std::vector<ServerAddress> servers;
+  for (TextLines lines(text); servers.size() < RecentServers::kMaxServers && lines.nextEntry();) {
+    try {
+      servers.push_back(parseServerAddress(lines.line()));
+    } catch (const std::invalid_argument&) {
+      continue;  // the player has changed the file
+    }
+  }
+  return servers;
+}
+
+}  // namespace
+
+RecentServers::RecentServers(std::filesystem::path file) : file_(std::move(file), kMaxFileBytes) {}
+
+std::vector<ServerAddress> RecentServers::list() const {
+  const auto text = file_.read();
+  return std::holds_alternative<ParseError>(text) ? std::vector<ServerAddress>()
+                                                  : serversIn(std::get<std::string>(text));
+}
+
+void RecentServers::remember(const ServerAddress& server) const {
+  const auto first = [&](const std::string& kept) {
+    std::string text = server.text() + "\n";
+    for (const ServerAddress& other : serversIn(kept)) {
+      if (other.text() != server.text()) text += other.text() + "\n";
+    }
+    return text;
+  };
+  file_.change(first, FileReplacement::Wait::kForDisk);
+}
+
+namespace {
+
+constexpr const char* kHead = "# Levels whose goal you have reached: the hash of each.\n";
+constexpr std::size_t kMaxBytes = ReachedLevels::kMaxLevels * 32;
+
+std::vector<std::uint64_t> levelsIn(const std::string& text) {
+  std::vector<std::uint64_t> levels;
+  for (TextLines lines(text); lines.nextEntry();) {
+    if (const std::optional<std::uint64_t> hash = hashIn(lines.line())) levels.push_back(*hash);
+  }
+  return levels;
+}
+
+}  // namespace
+
+ReachedLevels::ReachedLevels(std::filesystem::path file) : file_(std::move(file), kMaxBytes) {
+  const auto text = file_.read();
+  if (const auto* const kept = std::get_if<std::string>(&text)) levels_ = levelsIn(*kept);
+}
+
+bool ReachedLevels::has(std::uint64_t level) const {
+  return std::find(levels_.begin(), levels_.end(), level) != levels_.end();
+}
+
+// Another program may have added some.
+std::string ReachedLevels::add(std::uint64_t level) {
+  if (file_.path().empty() || has(level)) return {};
+  levels_.push_back(level);
+  const auto addTo = [&](const std::string& kept) {
+    levels_ = levelsIn(kept);
+    if (!has(level)) levels_.push_back(level);
+    if (levels_.size() > kMaxLevels) levels_.erase(levels_.begin(), levels_.end() - kMaxLevels);
+    std::string text = kHead;
+    for (const std::uint64_t each : levels_) text += hashText(each) + "\n";
+    return text;
+  };
+  const std::string fault = file_.change(addTo, FileReplacement::Wait::kNot);
+  if (fault.empty()) return {};
+  return "that the goal was reached is not kept: " + file_.path().string() + ": " + fault;
 }
 
 }  // namespace platon

@@ -1,4 +1,4 @@
-#include "client/lobby/known_servers.h"
+#include "client/lobby/remembered.h"
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -6,8 +6,12 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <functional>
+#include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
@@ -16,23 +20,23 @@
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon::known_servers_test {
+namespace platon::remembered_test {
 namespace {
 
 // Called before a file is locked.
 std::function<void()> beforeLock;
 
 }  // namespace
-}  // namespace platon::known_servers_test
+}  // namespace platon::remembered_test
 
 // Used by this program instead of that of the C library.
 extern "C" int flock(int handle, int operation) noexcept {
-  using platon::known_servers_test::beforeLock;
+  using platon::remembered_test::beforeLock;
   if (beforeLock) std::exchange(beforeLock, nullptr)();
   return static_cast<int>(syscall(SYS_flock, handle, operation));
 }
 
-namespace platon::known_servers_test {
+namespace platon::remembered_test {
 namespace {
 
 const ServerAddress kHere{"example.org", 7777};
@@ -194,5 +198,135 @@ TEST(KnownServers, WhatIsNoRegularFileOrTooLargeIsAnError) {
   expectRefused("it has more than 1048576 bytes; remove lines that you do not need");
 }
 
+std::string textOf(const RecentServers& servers) {
+  std::string text;
+  for (const ServerAddress& server : servers.list()) text += server.text() + " ";
+  return text;
+}
+
+TEST(RecentServers, TheNewestIsFirstAndNoneIsTwice) {
+  const TemporaryFolder folder;
+  const RecentServers servers(folder / "platon/recent_servers");
+  EXPECT_EQ(textOf(servers), "");
+  servers.remember({"first.example", 7777});
+  servers.remember({"::1", 7778});
+  servers.remember({"first.example", 7777});
+  EXPECT_EQ(textOf(servers), "first.example:7777 [::1]:7778 ");
+}
+
+TEST(RecentServers, TheOldestAreForgotten) {
+  const TemporaryFolder folder;
+  const RecentServers servers(folder / "recent_servers");
+  for (std::uint16_t port = 1; port <= 20; ++port) servers.remember({"host", port});
+  EXPECT_EQ(servers.list().size(), RecentServers::kMaxServers);
+  EXPECT_EQ(servers.list().front().port, 20);
+}
+
+TEST(RecentServers, AFileThatCannotBeReadIsNotReplaced) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink(folder / "recent_servers", folder / "recent_servers");
+  const RecentServers servers(folder / "recent_servers");
+  servers.remember({"host", 1});
+  EXPECT_EQ(textOf(servers), "");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "recent_servers"));
+}
+
+TEST(RecentServers, DamagedLinesAreIgnored) {
+  const TemporaryFolder folder;
+  writeText(folder / "recent_servers", "no address!\n\nhost:70000\nhost:1\n\xff\n");
+  const RecentServers servers(folder / "recent_servers");
+  EXPECT_EQ(textOf(servers), "host:1 ");
+  RecentServers("").remember({"host", 1});
+  EXPECT_EQ(textOf(RecentServers("")), "");
+}
+
+class ReachedLevelsTest : public testing::Test {
+ protected:
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "data/reached_levels";
+};
+
+TEST_F(ReachedLevelsTest, AreKeptForTheNextStart) {
+  ReachedLevels levels(file_);
+  EXPECT_FALSE(levels.has(7));
+  EXPECT_EQ(levels.add(7), "");
+  EXPECT_EQ(levels.add(UINT64_MAX), "");
+  EXPECT_EQ(levels.add(7), "");
+  EXPECT_TRUE(levels.has(7));
+  const ReachedLevels next(file_);
+  EXPECT_TRUE(next.has(7));
+  EXPECT_TRUE(next.has(UINT64_MAX));
+  EXPECT_FALSE(next.has(8));
+  EXPECT_EQ(readText(file_),
+            "# Levels whose goal you have reached: the hash of each.\n0000000000000007\nffffffffffffffff\n");
+}
+
+TEST_F(ReachedLevelsTest, ThoseOfAnotherProgramStay) {
+  ReachedLevels one(file_);
+  ReachedLevels other(file_);
+  one.add(1);
+  other.add(2);
+  const ReachedLevels next(file_);
+  EXPECT_TRUE(next.has(1));
+  EXPECT_TRUE(next.has(2));
+}
+
+// Two programs that had read it at the same time lost one of two levels.
+TEST_F(ReachedLevelsTest, ProgramsThatAddAtTheSameTimeLoseNone) {
+  std::vector<std::jthread> programs;
+  for (std::uint64_t program = 0; program < 2; ++program) {
+    programs.emplace_back([this, program] {
+      ReachedLevels levels(file_);
+      for (std::uint64_t n = 0; n < 20; ++n) EXPECT_EQ(levels.add(2 * n + program), "");
+    });
+  }
+  programs.clear();
+  const ReachedLevels all(file_);
+  for (std::uint64_t level = 0; level < 40; ++level) EXPECT_TRUE(all.has(level)) << level;
+}
+
+TEST_F(ReachedLevelsTest, WhatIsNoHashIsLeftOut) {
+  std::filesystem::create_directories(file_.parent_path());
+  writeText(file_, "# x\n\n7\n00000000000000AB\n00000000000000ab\n00000000000000cd 5\n");
+  EXPECT_TRUE(ReachedLevels(file_).has(0xab));
+  EXPECT_FALSE(ReachedLevels(file_).has(7));
+  EXPECT_FALSE(ReachedLevels(file_).has(0xcd));
+}
+
+TEST_F(ReachedLevelsTest, TheFirstOfTooManyAreForgotten) {
+  std::filesystem::create_directories(file_.parent_path());
+  std::string text;
+  for (std::size_t i = 1; i <= ReachedLevels::kMaxLevels; ++i) {
+    const std::string digits = std::to_string(i);
+    text += std::string(16 - digits.size(), '0') + digits + "\n";
+  }
+  writeText(file_, text);
+  ReachedLevels levels(file_);
+  levels.add(0xff);
+  EXPECT_FALSE(levels.has(1));
+  EXPECT_TRUE(ReachedLevels(file_).has(2));
+  EXPECT_TRUE(ReachedLevels(file_).has(0xff));
+}
+
+// It may be readable again at the next start.
+TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
+  std::filesystem::create_directories(file_.parent_path());
+  std::filesystem::create_symlink(file_, file_);
+  ReachedLevels levels(file_);
+  EXPECT_EQ(levels.add(7),
+            "that the goal was reached is not kept: " + file_.string() + ": Too many levels of symbolic links");
+  EXPECT_TRUE(levels.has(7)) << "until the program ends";
+  EXPECT_EQ(levels.add(7), "") << "told once";
+  EXPECT_TRUE(std::filesystem::is_symlink(file_));
+}
+
+TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
+  writeText(folder_ / "data", "a file");
+  EXPECT_EQ(ReachedLevels(file_).add(7),
+            "that the goal was reached is not kept: " + file_.string() + ": '" + file_.string() +
+                ".lock' cannot be opened: Not a directory; remove it, and let the program write to its folder");
+  EXPECT_EQ(ReachedLevels({}).add(7), "");
+}
+
 }  // namespace
-}  // namespace platon::known_servers_test
+}  // namespace platon::remembered_test
