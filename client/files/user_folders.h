@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 
@@ -28,5 +31,9 @@ std::filesystem::path picturesFolder();
 
 /// `platon` in XDG_CACHE_HOME, by default in ~/.cache: levels of servers. Empty without a home folder.
 std::filesystem::path cacheFolder();
+
+/// Name of a file or folder for a server: HOST_PORT. The host is user input: characters that could form a path are
+/// percent-encoded.
+std::string serverFileName(const ServerAddress& server);
 
 }  // namespace platon

@@ -9,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "client/files/level_cache.h"
+#include "client/files/server_files.h"
 #include "client/files/settings_file.h"
 #include "client/lobby/remembered.h"
 #include "client/lobby/shipped_levels.h"

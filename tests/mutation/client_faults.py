@@ -196,7 +196,7 @@ CLIENT_FAULTS = [
               "if (roundEnd_ && !pendingRound_) requestLevel", "if (roundEnd_) requestLevel",
               "a client that joins in a pause never gets the level of the round",
               "SessionRoundEnd.TheNextLevelIsRequestedWhenThePresentOneHasCome"),
-    at_length("damaged-level-used", "client/files/level_cache.cpp",
+    at_length("damaged-level-used", "client/files/server_files.cpp",
               "if (level && level->hash == hash) {", "if (level) {",
               "a client plays another level than the server",
               "LevelCacheTest.ADamagedFileIsNotUsedAndRemoved"),

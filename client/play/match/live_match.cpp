@@ -2,8 +2,7 @@
 
 #include <span>
 
-#include "client/files/level_cache.h"
-#include "client/files/server_file_name.h"
+#include "client/files/server_files.h"
 #include "client/files/user_folders.h"
 #include "client/lobby/near_servers.h"
 #include "client/netcode/player_snapshot.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "client/desync/desync_report.h"
-#include "client/files/session_file.h"
+#include "client/files/server_files.h"
 #include "client/hud/hud.h"
 #include "client/lobby/remembered.h"
 #include "client/play/client_options.h"

@@ -1,10 +1,10 @@
 #include "client/files/user_folders.h"
 
-#include <filesystem>
-#include <optional>
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+
+#include <filesystem>
+#include <optional>
 
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
@@ -80,6 +80,14 @@ TEST_F(UserFoldersTest, APipeInPlaceOfTheNamesOfFoldersIsNotWaitedFor) {
   std::filesystem::create_directories(folder / ".config");
   ASSERT_EQ(mkfifo((folder / ".config/user-dirs.dirs").c_str(), 0600), 0);
   EXPECT_EQ(picturesFolder(), folder / "Pictures");
+}
+
+TEST(ServerFileName, IsHostAndPort) { EXPECT_EQ(serverFileName({"play.example.org", 7777}), "play.example.org_7777"); }
+
+TEST(ServerFileName, CannotFormAPath) {
+  EXPECT_EQ(serverFileName({"../a b", 1}), "..%2fa%20b_1");
+  EXPECT_EQ(serverFileName({"2001:db8::1", 65535}), "2001%3adb8%3a%3a1_65535");
+  EXPECT_EQ(serverFileName({"\xc5\x81", 1}), "%c5%81_1");
 }
 
 }  // namespace

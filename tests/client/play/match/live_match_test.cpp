@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/files/level_cache.h"
+#include "client/files/server_files.h"
 #include "client/files/user_folders.h"
 #include "client/hud/hud.h"
 #include "client/net/lossy_relay.h"
