@@ -9,7 +9,7 @@
 #include "client/bot/hollow_session.h"
 #include "client/desync/desync_report.h"
 #include "client/net/connection.h"
-#include "client/net/lossy_relay.h"
+#include "client/net/network_conditions.h"
 #include "client/session/network_client.h"
 #include "protocol/moment.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/net/lossy_relay.h"
+#include "client/net/network_conditions.h"
 #include "client/play/match/live_match.h"
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"

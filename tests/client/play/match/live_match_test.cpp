@@ -18,7 +18,7 @@
 #include "client/files/server_files.h"
 #include "client/files/user_folders.h"
 #include "client/hud/hud.h"
-#include "client/net/lossy_relay.h"
+#include "client/net/network_conditions.h"
 #include "client/replay/run_store.h"
 #include "client/scene/camera.h"
 #include "client/time/steady_now.h"
