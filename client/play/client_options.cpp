@@ -1,11 +1,11 @@
 #include "client/play/client_options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <stdexcept>
 
-#include "client/net/server_link.h"
 #include "client/ui/settings.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -134,6 +134,16 @@ void checkModes(const ProgramOptions& program, const ClientOptions& options) {
   checkMode(program, "--replay", options.replay, options);
 }
 
+constexpr std::string_view kScheme = "platon://";
+
+// Schemes may be written in capitals, too.
+bool beginsWithScheme(std::string_view text) {
+  const auto same = [](char own, char other) {
+    return own == (other >= 'A' && other <= 'Z' ? other - 'A' + 'a' : other);
+  };
+  return text.size() >= kScheme.size() && std::equal(kScheme.begin(), kScheme.end(), text.begin(), same);
+}
+
 // Programs that play files take their names without an option, so a player may name one where the server stands.
 void refuseFile(const std::string& host) {
   const std::filesystem::path file(host);
@@ -162,6 +172,13 @@ void check(ClientOptions& options, const std::string& host) {
 }
 
 }  // namespace
+
+std::string_view addressOfLink(std::string_view text) {
+  if (!beginsWithScheme(text)) return text;
+  text.remove_prefix(kScheme.size());
+  if (text.ends_with('/')) text.remove_suffix(1);
+  return text;
+}
 
 std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv) {
   ProgramOptions program("platon-client", "Platon: a puzzle platformer on the faces of the Platonic solids.");

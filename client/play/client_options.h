@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "platon/game/solid.h"
 #include "protocol/transport/client_gate.h"
@@ -39,6 +40,11 @@ struct ClientOptions {
   std::string edit;                          ///< level file for the editor; empty: play
   SolidKind solid = SolidKind::kHexahedron;  ///< of a new level of the editor
 };
+
+/// The address in a link to a server, `platon://HOST[:PORT]`, with or without a slash at its end, as a browser hands it
+/// to the program. A text that is no such link is returned as it is. The result need not be a valid address:
+/// parseServerAddress refuses what is not one. It is a part of `text`.
+std::string_view addressOfLink(std::string_view text);
 
 /// Parses the command line. Returns nothing after printing the help or the version. Throws ProgramError.
 std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv);

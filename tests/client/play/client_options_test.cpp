@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,32 @@ TEST(ClientOptions, PrintTheHelp) {
   const std::string help = testing::internal::GetCapturedStdout();
   for (const char* const option : {"HOST", "--level", "--name", "--offscreen", "--demo", "--seconds", "--screenshot"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
+  }
+}
+
+TEST(ServerLinkTest, ALinkHoldsAnAddress) {
+  EXPECT_EQ(addressOfLink("platon://play.example.org:7778"), "play.example.org:7778");
+  EXPECT_EQ(addressOfLink("platon://play.example.org"), "play.example.org");
+  EXPECT_EQ(addressOfLink("platon://[2001:db8::1]:7778"), "[2001:db8::1]:7778");
+}
+
+TEST(ServerLinkTest, BrowsersMayAddASlashAndCapitals) {
+  EXPECT_EQ(addressOfLink("platon://192.0.2.7/"), "192.0.2.7");
+  EXPECT_EQ(addressOfLink("PLATON://192.0.2.7:1"), "192.0.2.7:1");
+}
+
+TEST(ServerLinkTest, OtherTextsStayAsTheyAre) {
+  for (const char* const text :
+       {"play.example.org:7778", "2001:db8::1", "platon", "platon:7778", "platon:/", "", "/"}) {
+    EXPECT_EQ(addressOfLink(text), text);
+  }
+}
+
+TEST(ServerLinkTest, ALinkWithMoreThanAnAddressIsRefused) {
+  for (const std::string rest :
+       {"", "/", "host/path", "host?name=x", "user@host", "host//", "host:0", "platon://host"}) {
+    const std::string link = "platon://" + rest;
+    EXPECT_THROW(parseServerAddress(addressOfLink(link)), std::invalid_argument) << link;
   }
 }
 
