@@ -4,21 +4,7 @@
 #include <sstream>
 
 namespace platon {
-
-Quality QualityChoice::quality() const {
-  Quality quality = namedQuality(level.value_or(QualityLevel::kHigh)).quality;
-  quality.scale = scale.value_or(quality.scale);
-  quality.samples = samples.value_or(quality.samples);
-  return quality;
-}
-
-std::string QualityChoice::text() const {
-  std::ostringstream out;
-  out << "quality " << (level ? namedQuality(*level).name : "auto") << "\n";
-  if (scale) out << "render-scale " << *scale << "\n";
-  if (samples) out << "multisampling " << *samples << "\n";
-  return out.str();
-}
+namespace {
 
 bool parseLevel(std::string_view value, QualityChoice& choice) {
   const std::optional<QualityLevel> level = qualityLevelOf(value);
@@ -40,6 +26,55 @@ bool parseSamples(std::string_view value, QualityChoice& choice) {
   if (value != "1" && value != "2" && value != "4") return false;
   choice.samples = value.front() - '0';
   return true;
+}
+
+}  // namespace
+
+Quality QualityChoice::quality() const {
+  Quality quality = namedQuality(level.value_or(QualityLevel::kHigh)).quality;
+  quality.scale = scale.value_or(quality.scale);
+  quality.samples = samples.value_or(quality.samples);
+  return quality;
+}
+
+std::string_view allowedValues(QualityPart part) {
+  switch (part) {
+    case QualityPart::kLevel:
+      return "auto, low, medium, high or all";
+    case QualityPart::kScale:
+      return "a number from 0.5 to 1";
+    case QualityPart::kSamples:
+      return "1, 2 or 4";
+  }
+  return {};
+}
+
+std::optional<std::string> textOf(QualityPart part, const QualityChoice& choice) {
+  std::ostringstream out;
+  switch (part) {
+    case QualityPart::kLevel:
+      out << (choice.level ? namedQuality(*choice.level).name : "auto");
+      break;
+    case QualityPart::kScale:
+      if (choice.scale) out << *choice.scale;
+      break;
+    case QualityPart::kSamples:
+      if (choice.samples) out << *choice.samples;
+      break;
+  }
+  return out.str().empty() ? std::nullopt : std::optional(out.str());
+}
+
+bool parse(std::string_view value, QualityPart part, QualityChoice& choice) {
+  switch (part) {
+    case QualityPart::kLevel:
+      return parseLevel(value, choice);
+    case QualityPart::kScale:
+      return parseScale(value, choice);
+    case QualityPart::kSamples:
+      return parseSamples(value, choice);
+  }
+  return false;
 }
 
 }  // namespace platon

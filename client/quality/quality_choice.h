@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,16 +20,17 @@ struct QualityChoice {
   /// Chooses a level, as it is.
   void choose(QualityLevel chosen) { *this = {chosen, std::nullopt, std::nullopt}; }
 
-  /// The lines of the settings file.
-  std::string text() const;
-
   friend bool operator==(const QualityChoice&, const QualityChoice&) = default;
 };
 
-/// Each stores a valid value of a line of QualityChoice::text() and returns true; otherwise it changes nothing and
-/// returns false.
-bool parseLevel(std::string_view value, QualityChoice& choice);
-bool parseScale(std::string_view value, QualityChoice& choice);
-bool parseSamples(std::string_view value, QualityChoice& choice);
+/// A part of the choice; each is a line of the settings file.
+enum class QualityPart : std::uint8_t { kLevel, kScale, kSamples };
+
+/// What its value must be, as it follows "must be".
+std::string_view allowedValues(QualityPart part);
+/// Its value in the file; nothing if a scale or samples are not set.
+std::optional<std::string> textOf(QualityPart part, const QualityChoice& choice);
+/// Stores a valid value of the file and returns true; otherwise it changes nothing and returns false.
+bool parse(std::string_view value, QualityPart part, QualityChoice& choice);
 
 }  // namespace platon

@@ -15,43 +15,39 @@
 
 namespace platon {
 
-/// Range of Settings::uiScale.
-inline constexpr double kMinUiScale = 0.75;
-inline constexpr double kMaxUiScale = 1.75;
-
 /// Whether a text is a list of servers on a web server: kListUrlForm.
 bool isListUrl(std::string_view text);
 inline constexpr const char* kListUrlForm =
     "a URL that begins with https:// or http://, of at most 512 bytes and without spaces";
 inline constexpr std::size_t kMaxListUrlBytes = 512;
 
-/// The player's settings. Each may change at any time.
+/// The player's settings. Each may change at any time. settingTable() says what each may be.
 struct Settings {
   CameraComfort comfort;
   ControlFrame controls = ControlFrame::kPlayer;
   Bindings bindings;
   ToggledControls toggled;
-  double zoom = 1;     ///< 0.5 … 2
-  double uiScale = 1;  ///< size of the menus and the display, kMinUiScale … kMaxUiScale
+  double zoom = 1;
+  double uiScale = 1;  ///< size of the menus and the display
   QualityChoice quality;
   bool fullscreen = false;
   bool vsync = true;       ///< pictures wait for the screen
-  double frameCap = 0;     ///< pictures a second at most, 0 (any number) … 1000
-  double gameSpeed = 100;  ///< percent, for who is alone on the own machine, 50 … 100
+  double frameCap = 0;     ///< pictures a second at most; 0: any number
+  double gameSpeed = 100;  ///< percent, for who is alone on the own machine
   bool netGraph = false;
   bool chat = true;            ///< shows what players say
   bool firstKeys = true;       ///< shows the first keys until they were used
   UntoldElements untold;       ///< shows what these elements do until the ball has met one of each
-  double volume = 80;          ///< of all sound, 0 … 100
-  double effectsVolume = 100;  ///< of the sounds of events, 0 … 100
-  double musicVolume = 70;     ///< 0 … 100
-  bool timer = true;           ///< show the own time, its differences to the best run, and the personal best
-  bool ghosts = true;          ///< show the best run and those of others
-  BallChoice ball;             ///< of the own ball, as this player sees it
-  bool flashes = true;         ///< players and goal flash
-  bool highContrast = false;   ///< black ground, white walls and opaque panels
-  bool faceNumbers = false;    ///< faces show their numbers instead of signs
-  std::string listUrl;         ///< isListUrl, or empty: no list
+  double volume = 80;          ///< of all sound, in percent
+  double effectsVolume = 100;  ///< of the sounds of events
+  double musicVolume = 70;
+  bool timer = true;          ///< show the own time, its differences to the best run, and the personal best
+  bool ghosts = true;         ///< show the best run and those of others
+  BallChoice ball;            ///< of the own ball, as this player sees it
+  bool flashes = true;        ///< players and goal flash
+  bool highContrast = false;  ///< black ground, white walls and opaque panels
+  bool faceNumbers = false;   ///< faces show their numbers instead of signs
+  std::string listUrl;        ///< isListUrl, or empty: no list
 
   /// The settings as lines `name value…`, the format of `parseSettings`.
   std::string text() const;

@@ -1,12 +1,31 @@
 #include "client/menu/pages/setting_items.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <string>
+
+#include "client/quality/quality_choice.h"
 
 namespace platon {
 namespace {
+
+constexpr std::array<const char*, kQualities.size()> kQualityNames{"low", "medium", "high", "everything on"};
+constexpr double kScaleStep = 0.05;  // of the render scale
+
+MenuItem toggleItem(const char* label, bool& flag) {
+  MenuItem item{MenuItem::Kind::kToggle, label, flag ? "on" : "off", flag ? 1.0 : 0.0};
+  item.step = [&flag](int) { flag = !flag; };
+  return item;
+}
+
+MenuItem namedFlagItem(const char* label, bool& flag, const std::array<const char*, 2>& names) {
+  MenuItem item{MenuItem::Kind::kChoice, label, names[flag ? 1 : 0]};
+  item.flips = true;
+  item.step = [&flag](int) { flag = !flag; };
+  return item;
+}
 
 std::ptrdiff_t nearest(std::span<const NamedValue> values, double number) {
   const auto closer = [number](const NamedValue& a, const NamedValue& b) {
@@ -15,24 +34,9 @@ std::ptrdiff_t nearest(std::span<const NamedValue> values, double number) {
   return std::min_element(values.begin(), values.end(), closer) - values.begin();
 }
 
-double onStep(double number, const SliderRange& range) {
-  const double steps = std::round((number - range.min) / range.step);
-  // Rounded, so that the settings file gets no digits of a rounding error.
-  const double exact = std::round((range.min + steps * range.step) * 1e6) / 1e6;
-  return std::clamp(exact, range.min, range.max);
-}
-
-}  // namespace
-
-MenuItem toggleItem(std::string name, bool& flag) {
-  MenuItem item{MenuItem::Kind::kToggle, std::move(name), flag ? "on" : "off", flag ? 1.0 : 0.0};
-  item.step = [&flag](int) { flag = !flag; };
-  return item;
-}
-
-MenuItem choiceItem(std::string name, double& number, std::span<const NamedValue> values) {
+MenuItem choiceItem(const char* label, double& number, std::span<const NamedValue> values) {
   const std::ptrdiff_t now = nearest(values, number);
-  MenuItem item{MenuItem::Kind::kChoice, std::move(name), values[static_cast<std::size_t>(now)].name};
+  MenuItem item{MenuItem::Kind::kChoice, label, values[static_cast<std::size_t>(now)].name};
   item.step = [&number, values](int direction) {
     const std::ptrdiff_t last = std::ssize(values) - 1;
     const std::ptrdiff_t next = std::clamp<std::ptrdiff_t>(nearest(values, number) + direction, 0, last);
@@ -41,12 +45,124 @@ MenuItem choiceItem(std::string name, double& number, std::span<const NamedValue
   return item;
 }
 
-MenuItem percentItem(std::string name, double& number, const SliderRange& range) {
-  MenuItem item{MenuItem::Kind::kSlider, std::move(name), std::to_string(std::lround(number * range.percent)) + " %",
+// The nearest value that is whole steps from the least.
+double onStep(double number, const SettingNumber& range) {
+  const double steps = std::round((number - range.min) / range.step);
+  // Rounded, so that the settings file gets no digits of a rounding error.
+  const double exact = std::round((range.min + steps * range.step) * 1e6) / 1e6;
+  return std::clamp(exact, range.min, range.max);
+}
+
+MenuItem sliderItem(const char* label, double& number, const SettingNumber& range) {
+  MenuItem item{MenuItem::Kind::kSlider, label, std::to_string(std::lround(number * range.percent)) + " %",
                 (number - range.min) / (range.max - range.min)};
   item.step = [&number, range](int direction) { number = onStep(number + direction * range.step, range); };
   item.set = [&number, range](double part) { number = onStep(range.min + part * (range.max - range.min), range); };
   return item;
+}
+
+MenuItem wordsItem(const char* label, const SettingWords& setting, Settings& settings) {
+  MenuItem item{MenuItem::Kind::kChoice, label, std::string(setting.words[setting.index(settings)].name)};
+  item.flips = setting.words.size() == 2;
+  item.step = [setting, &settings](int direction) {
+    const std::size_t count = setting.words.size();
+    setting.choose(settings, (setting.index(settings) + count + static_cast<std::size_t>(direction)) % count);
+  };
+  return item;
+}
+
+std::string nameOf(const QualityChoice& choice) {
+  if (!choice.level) return "automatic";
+  const std::string name = kQualityNames[static_cast<std::size_t>(*choice.level)];
+  return choice.scale || choice.samples ? name + ", changed" : name;
+}
+
+MenuItem levelItem(const char* label, QualityChoice& choice) {
+  MenuItem item{MenuItem::Kind::kChoice, label, nameOf(choice)};
+  item.step = [&choice](int direction) {
+    const int now = static_cast<int>(choice.level.value_or(QualityLevel::kHigh));
+    choice.choose(static_cast<QualityLevel>(std::clamp(now + direction, 0, static_cast<int>(kQualities.size()) - 1)));
+  };
+  return item;
+}
+
+void setScale(QualityChoice& choice, double scale) {
+  const double exact = std::round(scale / kScaleStep) * kScaleStep;
+  choice.scale = std::clamp(std::round(exact * 100) / 100, Quality::kMinScale, 1.0);
+}
+
+MenuItem scaleItem(const char* label, QualityChoice& choice) {
+  const double scale = choice.quality().scale;
+  MenuItem item{MenuItem::Kind::kSlider, label, std::to_string(std::lround(scale * 100)) + " %",
+                (scale - Quality::kMinScale) / (1 - Quality::kMinScale)};
+  item.step = [&choice](int direction) { setScale(choice, choice.quality().scale + direction * kScaleStep); };
+  item.set = [&choice](double part) { setScale(choice, Quality::kMinScale + part * (1 - Quality::kMinScale)); };
+  return item;
+}
+
+MenuItem samplesItem(const char* label, QualityChoice& choice) {
+  const int samples = choice.quality().samples;
+  MenuItem item{MenuItem::Kind::kChoice, label, samples == 1 ? "off" : std::to_string(samples) + " samples"};
+  item.step = [&choice](int direction) {
+    const int now = choice.quality().samples;
+    choice.samples = std::clamp(direction > 0 ? now * 2 : now / 2, 1, Quality::kMaxSamples);
+  };
+  return item;
+}
+
+MenuItem measureItem(QualityChoice& choice) {
+  MenuItem item{MenuItem::Kind::kAction, "Measure and choose the quality"};
+  item.choose = [&choice] { choice = {}; };
+  return item;
+}
+
+// On while a hint is left. Turned on, it shows all of them again.
+MenuItem hintsItem(const char* label, Settings& settings) {
+  const bool on = settings.firstKeys || settings.untold != UntoldElements{0};
+  MenuItem item{MenuItem::Kind::kToggle, label, on ? "on" : "off", on ? 1.0 : 0.0};
+  item.step = [&settings, on](int) {
+    settings.firstKeys = !on;
+    settings.untold = on ? UntoldElements{0} : UntoldElements();
+  };
+  return item;
+}
+
+struct ItemMaker {
+  using Items = std::vector<MenuItem>;
+  const char* label;
+  Settings& settings;
+
+  Items operator()(const SettingFlag& setting) const {
+    bool& flag = setting.member.in(settings);
+    return {setting.names[0] ? namedFlagItem(label, flag, setting.names) : toggleItem(label, flag)};
+  }
+  Items operator()(const SettingNumber& setting) const {
+    double& number = setting.member.in(settings);
+    return {setting.choices.empty() ? sliderItem(label, number, setting) : choiceItem(label, number, setting.choices)};
+  }
+  Items operator()(const SettingWords& setting) const { return {wordsItem(label, setting, settings)}; }
+  Items operator()(QualityPart part) const {
+    switch (part) {
+      case QualityPart::kLevel:
+        return {levelItem(label, settings.quality)};
+      case QualityPart::kScale:
+        return {scaleItem(label, settings.quality)};
+      case QualityPart::kSamples:
+        return {samplesItem(label, settings.quality), measureItem(settings.quality)};
+    }
+    return {};
+  }
+  Items operator()(SettingMember<UntoldElements>) const { return {hintsItem(label, settings)}; }
+  // A text is entered on a page of its own.
+  Items operator()(SettingMember<std::string>) const { return {}; }
+};
+
+}  // namespace
+
+std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings) {
+  std::vector<MenuItem> items = std::visit(ItemMaker{setting.label, settings}, setting.value);
+  for (MenuItem& item : items) item.inMotion = setting.inMotion;
+  return items;
 }
 
 }  // namespace platon

@@ -1,34 +1,15 @@
 #pragma once
 
-#include <span>
-#include <string>
+#include <vector>
 
 #include "client/menu/menu_item.h"
+#include "client/ui/setting_table.h"
 
 namespace platon {
 
-/// An item that turns a flag on and off.
-MenuItem toggleItem(std::string name, bool& flag);
-
-/// A value of a choice, and what it is called.
-struct NamedValue {
-  double value;
-  const char* name;
-};
-
-/// An item that chooses one of `values`, which are in ascending order and outlive it. A number between two of them is
-/// shown as the nearest.
-MenuItem choiceItem(std::string name, double& number, std::span<const NamedValue> values);
-
-/// The range of a slider.
-struct SliderRange {
-  double min;
-  double max;
-  double step;           ///< of a key; the range is a multiple of it
-  double percent = 100;  ///< that 1 stands for
-};
-
-/// An item that moves a number through a range, shown in percent.
-MenuItem percentItem(std::string name, double& number, const SliderRange& range);
+/// The items of a page for a setting that is not hidden: one that changes it in `settings`, which outlive it, and below
+/// that of the last part of the quality one that has it measured. A number between two choices is shown as the nearest.
+/// A level of quality that is chosen takes the place of a render scale and of samples that were.
+std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings);
 
 }  // namespace platon

@@ -1,39 +1,46 @@
 #include "client/quality/quality_choice.h"
 
-#include <sstream>
+#include <array>
+#include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
 namespace platon::quality_choice_test {
 namespace {
 
-// The choice of these lines, of which all must be valid.
-QualityChoice parsed(const std::string& text) {
-  QualityChoice choice;
-  std::istringstream words(text);
-  for (std::string name, value; words >> name >> value;) {
-    const auto parse = name == "quality" ? parseLevel : name == "render-scale" ? parseScale : parseSamples;
-    EXPECT_TRUE(parse(value, choice)) << name << " " << value;
-  }
-  return choice;
-}
+constexpr std::array kParts{QualityPart::kLevel, QualityPart::kScale, QualityPart::kSamples};
 
 TEST(QualityChoice, ParsingTheTextGivesTheSameChoice) {
   for (const QualityChoice& choice :
        {QualityChoice(), QualityChoice{QualityLevel::kLow, {}, {}}, QualityChoice{QualityLevel::kAll, 0.65, 2},
         QualityChoice{{}, 0.5, 4}, QualityChoice{QualityLevel::kMedium, 1, 1}}) {
-    EXPECT_EQ(parsed(choice.text()), choice) << choice.text();
+    QualityChoice parsed;
+    for (const QualityPart part : kParts) {
+      const std::optional<std::string> text = textOf(part, choice);
+      EXPECT_TRUE(!text || parse(*text, part, parsed)) << *text;
+    }
+    EXPECT_EQ(parsed, choice);
   }
-  EXPECT_EQ(QualityChoice().text(), "quality auto\n");
-  EXPECT_EQ((QualityChoice{QualityLevel::kAll, 0.65, 2}.text()), "quality all\nrender-scale 0.65\nmultisampling 2\n");
+  EXPECT_EQ(textOf(QualityPart::kLevel, {}), "auto");
+  EXPECT_EQ(textOf(QualityPart::kScale, {}), std::nullopt);
+  EXPECT_EQ(textOf(QualityPart::kSamples, {}), std::nullopt);
+  const QualityChoice all{QualityLevel::kAll, 0.65, 2};
+  EXPECT_EQ(textOf(QualityPart::kLevel, all), "all");
+  EXPECT_EQ(textOf(QualityPart::kScale, all), "0.65");
+  EXPECT_EQ(textOf(QualityPart::kSamples, all), "2");
 }
 
 TEST(QualityChoice, BadValuesChangeNothing) {
   QualityChoice choice{QualityLevel::kLow, 0.75, 2};
   const QualityChoice before = choice;
-  for (const char* value : {"", "best", "Auto"}) EXPECT_FALSE(parseLevel(value, choice)) << value;
-  for (const char* value : {"", "0.49", "1.01", "nan", "0.8x", "-1"}) EXPECT_FALSE(parseScale(value, choice)) << value;
-  for (const char* value : {"", "0", "3", "8", "16", "4x"}) EXPECT_FALSE(parseSamples(value, choice)) << value;
+  for (const char* value : {"", "best", "Auto"}) EXPECT_FALSE(parse(value, QualityPart::kLevel, choice)) << value;
+  for (const char* value : {"", "0.49", "1.01", "nan", "0.8x", "-1"}) {
+    EXPECT_FALSE(parse(value, QualityPart::kScale, choice)) << value;
+  }
+  for (const char* value : {"", "0", "3", "8", "16", "4x"}) {
+    EXPECT_FALSE(parse(value, QualityPart::kSamples, choice)) << value;
+  }
   EXPECT_EQ(choice, before);
 }
 

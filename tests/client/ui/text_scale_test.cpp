@@ -1,8 +1,10 @@
 #include "client/ui/text_scale.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
-#include "client/ui/settings.h"
+#include "client/ui/setting_table.h"
 #include "levels/drawing/typeface.h"
 
 namespace platon::text_scale_test {
@@ -10,9 +12,15 @@ namespace {
 
 constexpr std::uint32_t kHeights[] = {1, 180, 360, 480, 720, 1080, 2160};
 
+SettingNumber uiScale() {
+  const std::span<const Setting> table = settingTable();
+  const auto found = std::find_if(table.begin(), table.end(), [](const Setting& it) { return it.name == "text-size"; });
+  return std::get<SettingNumber>(found->value);
+}
+
 TEST(TextScale, NoTextIsUnderTheSmallestSizeInAnyPictureAtAnyScale) {
   for (const std::uint32_t height : kHeights) {
-    for (double scale = kMinUiScale; scale <= kMaxUiScale; scale += 0.05) {
+    for (double scale = uiScale().min; scale <= uiScale().max; scale += 0.05) {
       const float pixels = kSmallestText * textScale(scale, height) * static_cast<float>(height) / Overlay::kHeight;
       EXPECT_GT(pixels, kSmallestTextPixels - 0.001F) << height << " " << scale;
     }
