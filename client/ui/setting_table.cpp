@@ -163,7 +163,7 @@ constexpr std::array kSettings{
             .line = 0,
             .value =
                 SettingNumber{
-                    .member = member<&S::comfort, &Comfort::turnSpeed>(), .min = 1, .max = 30, .choices = kTurnSpeeds},
+                    .member = member<&S::comfort, &Comfort::turnRate>(), .min = 1, .max = 30, .choices = kTurnSpeeds},
             .group = Group::kComfort,
             .label = "Camera turn speed",
             .inMotion = true},

@@ -17,11 +17,11 @@ auto membersOf(const Settings& settings) {
   const auto& [comfort, controls, bindings, toggled, zoom, uiScale, quality, fullscreen, vsync, frameCap, gameSpeed,
                netGraph, chat, firstKeys, untold, volume, effectsVolume, musicVolume, timer, ghosts, ball, flashes,
                highContrast, faceNumbers, listUrl] = settings;
-  const auto& [turnSpeed, instantCut, reducedMotion, view] = comfort;
+  const auto& [turnRate, instantCut, reducedMotion, view] = comfort;
   const auto& [slow, look] = toggled;
   const auto& [level, scale, samples] = quality;
   const auto& [colour, pattern] = ball;
-  return std::make_tuple(turnSpeed, instantCut, reducedMotion, view, controls, bindings, slow, look, zoom, uiScale,
+  return std::make_tuple(turnRate, instantCut, reducedMotion, view, controls, bindings, slow, look, zoom, uiScale,
                          level, scale, samples, fullscreen, vsync, frameCap, gameSpeed, netGraph, chat, firstKeys,
                          untold, volume, effectsVolume, musicVolume, timer, ghosts, colour, pattern, flashes,
                          highContrast, faceNumbers, listUrl);

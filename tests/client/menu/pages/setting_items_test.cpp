@@ -34,14 +34,14 @@ TEST(SettingItems, AToggleTurnsItsFlagOver) {
 
 TEST(SettingItems, AChoiceStepsFromTheNearestValueAndEndsAtTheLast) {
   Settings settings;
-  settings.comfort.turnSpeed = 6;
+  settings.comfort.turnRate = 6;
   EXPECT_EQ(itemOf("turn-speed", settings).value, "normal");
   step("turn-speed", settings, 1);
-  EXPECT_EQ(settings.comfort.turnSpeed, 12);
+  EXPECT_EQ(settings.comfort.turnRate, 12);
   step("turn-speed", settings, 1, 2);
-  EXPECT_EQ(settings.comfort.turnSpeed, 30);
+  EXPECT_EQ(settings.comfort.turnRate, 30);
   step("turn-speed", settings, -1, 6);
-  EXPECT_EQ(settings.comfort.turnSpeed, 2);
+  EXPECT_EQ(settings.comfort.turnRate, 2);
 }
 
 TEST(SettingItems, ASliderStaysInItsRangeAndOnItsSteps) {
