@@ -34,8 +34,8 @@ struct MatchSettings {
   bool chat = true;               ///< players can talk to each other
   bool waitsForOne = false;       ///< rounds of a player who is alone have no time limit, and the next one starts when
                                   ///< asked; a level for several begins anew when as many have joined as it needs
-  bool keepsTimesOfOne = false;   ///< only times of attempts in which no more players were connected than the level
-                                  ///< needs outlast the server
+  bool keepsTimesOfOne = false;   ///< only times of one player (Match::keepTimesOf) outlast the server, those of
+                                  ///< attempts in which no more players were connected than the level needs
   std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
 
@@ -83,6 +83,8 @@ class Match {
   void updateLevels(std::vector<LevelPointer> levels) { rounds_.updateLevels(std::move(levels), roster_, output_); }
   /// Whether times may become best times; they may at first. Not: neither may those of the present attempts.
   void countTimes(bool count) { rounds_.countTimes(count); }
+  /// Says in which slot the player is whose times MatchSettings::keepsTimesOfOne keeps.
+  void keepTimesOf(std::uint32_t slot) { rounds_.keepTimesOf(slot); }
   /// Whether the match has one player, whom its rounds wait for: they have no time limit.
   bool waits() const { return rounds_.waits(roster_); }
   /// `name`: a label; invisible characters are left out.

@@ -26,7 +26,7 @@ bool RoundTimes::note(const Game& game, const PlayerNames& names, std::size_t pl
 // What attempts that run in this tick are worth.
 void RoundTimes::noteAttempts(const Game& game, std::size_t players) {
   if (!counts_) uncountedAt_ = game.tick();
-  if (keepsTimesOfOne_ && players > std::max(1u, game.level().players)) sharedAt_ = game.tick();
+  if (players > std::max(1u, game.level().players)) sharedAt_ = game.tick();
 }
 
 // Offers the times of those who have reached the goal in this tick.
@@ -37,7 +37,8 @@ bool RoundTimes::offerFinishes(const Game& game, const PlayerNames& names) {
     if (!arrives(game, slot) || player.startedAt <= uncountedAt_ || names.isFree(slot)) continue;
     const BestTime time{game.tick() - player.startedAt + 1, names.shown(slot)};
     if (time.ticks > kMaxBestTicks) continue;
-    isBest = keeper_->offer(game.level().hash, time, player.startedAt > sharedAt_) || isBest;
+    const bool lasts = !keepsTimesOfOne_ || (slot == keptSlot_ && player.startedAt > sharedAt_);
+    isBest = keeper_->offer(game.level().hash, time, lasts) || isBest;
   }
   return isBest;
 }

@@ -33,8 +33,8 @@ class BestTimeKeeper {
 };
 
 /// Notes the times in which players reach the goal in a round, and offers those that count to the keeper of the best
-/// times. An attempt in which times did not count gives none. One in which more players were connected than the level
-/// needs may give one that ends with the server.
+/// times. An attempt in which times did not count gives none. Where the times of one player are kept, those of others,
+/// and of attempts in which more players were connected than the level needs, end with the server.
 class RoundTimes {
  public:
   /// `keeper` must outlive this; null: there are no best times. `keepsTimesOfOne`: as in MatchSettings.
@@ -43,6 +43,8 @@ class RoundTimes {
   void startRound();
   /// Whether times count from now on; they do at first.
   void count(bool counts) { counts_ = counts; }
+  /// The slot of the player whose times are kept if those of one are; nobody's at first.
+  void keepOf(std::uint32_t slot) { keptSlot_ = slot; }
   /// Call after each tick of the game. `players`: number of connected ones. Returns whether a player has reached the
   /// goal in the best time of the level.
   bool note(const Game& game, const PlayerNames& names, std::size_t players);
@@ -56,6 +58,7 @@ class RoundTimes {
 
   BestTimeKeeper* keeper_;
   bool keepsTimesOfOne_;
+  std::uint32_t keptSlot_ = UINT32_MAX;
   bool counts_ = true;
   std::uint32_t uncountedAt_ = 0;  // last tick of the round in which times did not count; 0: none
   std::uint32_t sharedAt_ = 0;     // last tick of the round with more players than the level needs; 0: none

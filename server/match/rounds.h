@@ -75,6 +75,8 @@ class MatchRounds {
   LevelPointer findLevel(std::uint64_t hash) const { return rotation_.find(hash); }
   /// Whether times may become best times.
   void countTimes(bool count) { times_.count(count); }
+  /// As RoundTimes::keepOf.
+  void keepTimesOf(std::uint32_t slot) { times_.keepOf(slot); }
 
   /// Call before a new player joins. Starts a round if nobody is left who plays the present one, or if a player who was
   /// alone has waited for this one in a level for several.

@@ -125,6 +125,7 @@ struct EmbeddedServer::Running {
 
   // Whoever plays the only level while it is made sees each version at once.
   void reload() {
+      server.match().keepTimesOf(keptSlot);
     try {
       server.updateLevels(load(levelFiles.files()));
       if (levelFiles.files().size() == 1) server.match().startNextRound();
@@ -151,6 +152,7 @@ EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shar
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }
+  std::atomic<std::uint32_t> keptSlot{UINT32_MAX};  // of nobody at first
 }
 
 EmbeddedServer::~EmbeddedServer() = default;
@@ -168,3 +170,5 @@ void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
 CryptoKey EmbeddedServer::identity() const { return running_->server.identity().publicKey(); }
 
 }  // namespace platon
+void EmbeddedServer::keepTimesOf(std::uint32_t slot) { running_->keptSlot = slot; }
+

@@ -45,6 +45,8 @@ class EmbeddedServer {
   bool waits() const;
   /// Whether times may become best times (Match::countTimes).
   void countTimes(bool count);
+  /// The player of this program is in this slot: only its times outlast the server (Match::keepTimesOf).
+  void keepTimesOf(std::uint32_t slot);
   /// Starts the next level at once.
   void startNextLevel();
 

@@ -119,6 +119,7 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
       server_(choice.server ? nullptr : std::make_unique<EmbeddedServer>(choice.own, time_)),
       memory_(choice, server_ ? server_->address() : *choice.server,
               server_ ? std::optional(server_->identity()) : std::nullopt),
+      demo_(options.demo),
       runs_(runKeeper(options, choice)),
       client_(memory_.server(),
               {options.name, memory_.knowledge(), std::nullopt, memory_.token(), levelStore(choice), runs_}, now()),
@@ -136,13 +137,15 @@ void LiveMatch::update(bool wantsPause, const Controls& controls, double speed) 
   noteGoal();
 }
 
-// What counts is told before the time runs slower.
+// What counts is told before the time runs slower. What the demonstration reaches is nothing of the user.
 void LiveMatch::run(double speed) {
   const Round* const round = roundOf(client_);
   const PlayerState* const player = round == nullptr ? nullptr : localPlayer(*round);
   if (player != nullptr) attempt_.observe(round->id(), *player, speed);
-  if (server_) server_->countTimes(speed == 1);
-  runs_->countRuns(speed == 1);
+  const bool counts = speed == 1 && !demo_;
+  if (server_) server_->countTimes(counts);
+  if (server_ && round != nullptr) server_->keepTimesOf(round->prediction().slot());
+  runs_->countRuns(counts);
   time_->setSpeed(speed);
 }
 

@@ -210,6 +210,7 @@ class LiveMatch {
   ServerMemory memory_;
   std::shared_ptr<RunKeeper> runs_;
   NetworkClient client_;
+  bool demo_;  // the program plays, not the user
   ReachedLevels reached_;
   AttemptSpeed attempt_;
   std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for

@@ -449,6 +449,22 @@ TEST_F(RunsOfAMatch, TheDemonstrationHasNone) {
   EXPECT_FALSE(best());
 }
 
+// Before, it gave the user medals on levels whose goals only the program had reached.
+TEST_F(RunsOfAMatch, TheDemonstrationLeavesNoBestTime) {
+  ClientOptions demo;
+  demo.demo = true;
+  for (const ClientOptions& options : {demo, ClientOptions()}) {
+    EXPECT_TRUE(playUntil(options, [&](LiveMatch& match, const Scene&) {
+      const HudStatus status = match.hudStatus();
+      if (!status.summary) return false;
+      EXPECT_EQ(status.summary->bestSeconds.has_value(), !options.demo);
+      EXPECT_FALSE(options.demo && status.run.isNewBest);
+      return true;
+    }));
+    EXPECT_EQ(std::filesystem::exists(bestTimesFile()), !options.demo);
+  }
+}
+
 TEST_F(JoinedMatchTest, DoesNotJoinUnderFullLoss) {
   LinkQuality quality;
   quality.lossPercent = 100;
