@@ -94,7 +94,8 @@ Scene makeScene(const SceneSource& source) {
   scene.timed = source.timed;
   scene.over = source.roundOver || (source.timed && source.game->over());
   const std::uint32_t needed = source.game->level().players;
-  if (source.othersCanJoin && scene.players.size() < needed && !scene.over) scene.neededPlayers = needed;
+  const bool tooFew = !scene.players.empty() && scene.players.size() < needed;  // at first, nobody has appeared yet
+  if (source.othersCanJoin && tooFew && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {
     scene.attempt = {secondsOf(source.attempt.ticks()), source.attempt.arrived()};
     scene.needsRestart = source.needsRestart && !scene.over;

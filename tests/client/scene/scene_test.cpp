@@ -157,6 +157,17 @@ TEST(Scene, TellsHowManyPlayersTheLevelNeedsWhileFewerAreThere) {
   EXPECT_EQ(neededPlayers(true), 0U);
 }
 
+// Before, each level began with a picture that asked for more players.
+TEST(Scene, BeforeItsPlayersAppearALevelAsksForNone) {
+  const std::string floor = "HEXAHEDRON\n0 0 -180 0\n2 0 0\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n";
+  for (const std::string head : {"", "# players: 2\n"}) {
+    const Game game(loadLevel(head + floor).level);
+    SceneSource source = sourceOf(game, {}, {}, 1);
+    source.othersCanJoin = true;
+    EXPECT_EQ(makeScene(source).neededPlayers, 0U) << head;
+  }
+}
+
 TEST(Scene, ElementsAreThoseOfThePredictedGame) {
   Game confirmed(levelOf("0 -150 -180 0", "2 0 0", "-240 -200 240 -200\n-100 -195 -100 -160 key 3\n"));
   run(confirmed, 1, 0, 5);
