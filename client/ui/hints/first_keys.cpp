@@ -85,9 +85,9 @@ std::string FirstKeys::hint(const KeyHints& keys) const {
     case Step::kDown:
       return "After an edge an arrow shows where down is now: a wall may become a floor";
     case Step::kGoal:
-      return "The beam of light shows the goal";
+      return "The goal is a glowing ring. From other faces a beam of light shows it";
     case Step::kMenu:
-      return keys.menu() + ": pause, settings, other levels";
+      return keys.menu() + ": pause, settings, back to the title";
     default:
       return {};
   }

@@ -43,10 +43,10 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   play(Input::kRight, 120);
   EXPECT_EQ(keys_.hint(KeyHints()), "After an edge an arrow shows where down is now: a wall may become a floor");
   play(0, 5 * kTicksPerSecond);
-  EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
+  EXPECT_EQ(keys_.hint(KeyHints()), "The goal is a glowing ring. From other faces a beam of light shows it");
   play(0, 5 * kTicksPerSecond);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Esc: pause, settings, other levels");
-  EXPECT_EQ(keys_.hint(KeyHints(Bindings(), true)), "Start: pause, settings, other levels");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Esc: pause, settings, back to the title");
+  EXPECT_EQ(keys_.hint(KeyHints(Bindings(), true)), "Start: pause, settings, back to the title");
   play(0, 5 * kTicksPerSecond);
   EXPECT_TRUE(keys_.done());
   EXPECT_EQ(keys_.hint(KeyHints()), "");
