@@ -25,9 +25,9 @@ std::optional<Action> fixedActionOf(const KeyEvent& event, bool menuOpen) {
     case Key::kPadStart:
       return menuOpen ? std::nullopt : std::optional(Action::kOpenMenu);
     case Key::kF1:
-      return Action::kToggleHelp;
+      return menuOpen ? std::nullopt : std::optional(Action::kToggleHelp);
     case Key::kF3:
-      return Action::kToggleNetGraph;
+      return menuOpen ? std::nullopt : std::optional(Action::kToggleNetGraph);
     case Key::kF11:
       return Action::kToggleFullscreen;
     case Key::kF12:

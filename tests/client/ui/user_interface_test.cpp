@@ -93,6 +93,15 @@ TEST(UserInterface, FunctionKeysToggle) {
   }
 }
 
+// Before, F1 in a menu switched on the help, which was seen only when the game began.
+TEST(UserInterface, InAMenuWhichShowsNeitherHelpNorGraphTheirKeysChangeNothing) {
+  UserInterface interface { Settings() };
+  tap(interface, Key::kF1, true);
+  EXPECT_FALSE(interface.helpShown());
+  tap(interface, Key::kF3, true);
+  EXPECT_FALSE(interface.settings().netGraph);
+}
+
 TEST(UserInterface, ThePlayerVotesGoesOnAndTalksWhileTheMenuIsClosed) {
   UserInterface interface { Settings() };
   const std::vector<std::pair<Key, Action>> actions{

@@ -255,9 +255,11 @@ constexpr std::array<std::pair<KeyEvent, Action>, 4> kToggles{
      {{Key::kF11}, Action::kToggleFullscreen},
      {{Key::kEnter, Kind::kPress, true}, Action::kToggleFullscreen}}};
 
-TEST(InputMapper, TogglesActWithAndWithoutTheMenu) {
-  for (const bool menuOpen : {false, true}) {
-    for (const auto& [event, action] : kToggles) EXPECT_EQ(InputMapper().handle(event, menuOpen), action);
+TEST(InputMapper, TogglesActWithoutTheMenuAndThatOfTheFullScreenAlsoInIt) {
+  for (const auto& [event, action] : kToggles) {
+    const bool everywhere = action == Action::kToggleFullscreen;
+    EXPECT_EQ(InputMapper().handle(event, false), action);
+    EXPECT_EQ(InputMapper().handle(event, true), everywhere ? std::optional(action) : std::nullopt);
   }
 }
 
