@@ -10,7 +10,7 @@ namespace platon {
 namespace {
 
 constexpr glm::vec4 kHovered(0.55F, 0.85F, 1.0F, 0.55F);
-constexpr glm::vec4 kSelected(1.0F, 0.85F, 0.40F, 0.75F);
+constexpr glm::vec4 kSelectedMark(1.0F, 0.85F, 0.40F, 0.75F);
 constexpr glm::vec4 kDrawn(0.50F, 0.95F, 0.62F, 0.95F);
 constexpr glm::vec4 kFaulty(1.0F, 0.35F, 0.28F, 0.85F);
 constexpr glm::vec4 kPointer(1.0F, 1.0F, 1.0F, 0.95F);
@@ -37,9 +37,9 @@ FaceMarks marksAbove(const EditorMarks& marks, double unit) {
   for (const EditedSegment& segment : marks.faulty) all.push_back(strokeOf(segment, thin, kFaulty));
   if (marks.hovered) all.push_back(strokeOf(*marks.hovered, 2.2F * thin, kHovered));
   if (marks.selected) {
-    all.push_back(strokeOf(*marks.selected, 2.2F * thin, kSelected));
+    all.push_back(strokeOf(*marks.selected, 2.2F * thin, kSelectedMark));
     for (const glm::dvec2 end : {marks.selected->a, marks.selected->b})
-      all.push_back(dotAt({marks.selected->face, end}, 3.4F * thin, kSelected));
+      all.push_back(dotAt({marks.selected->face, end}, 3.4F * thin, kSelectedMark));
   }
   for (const EditedSegment& segment : marks.drawn) all.push_back(strokeOf(segment, 1.2F * thin, kDrawn));
   if (marks.pointer) all.push_back(dotAt(*marks.pointer, 1.8F * thin, kPointer));

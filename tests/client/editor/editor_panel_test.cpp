@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <string>
 #include <vector>
+
 #include "client/editor/new_level.h"
+#include "client/ui/overlay_writer.h"
 
 namespace platon::editor_panel_test {
 namespace {
@@ -80,6 +82,15 @@ TEST(EditorPanelTest, ErrorsAndTheHelpAreShown) {
   EXPECT_TRUE(shows(status, "Ctrl+S"));
   status.error = "a.level:3:1: error: no";
   EXPECT_TRUE(shows(status, "a.level:3:1"));
+}
+
+// Before, it was gold, and the golden letter of the tool could not be read on it.
+TEST(EditorPanelTest, TheSelectedToolStandsOutFromItsPanel) {
+  const Font font;
+  const Overlay overlay = makeEditorPanel(statusOf(LevelReport::Way::kSearching), font, {1280, 720});
+  EXPECT_EQ(std::count_if(overlay.panels.begin(), overlay.panels.end(),
+                          [](const Overlay::Panel& panel) { return panel.colour == overlay_colours::kSelected; }),
+            1);
 }
 
 TEST(EditorPanelTest, AWordIsNamedWithItsNumber) {
