@@ -30,9 +30,11 @@ void BallPlay::advance(double seconds, bool menuOpen) {
 
 void BallPlay::tick(Input input) {
   if (game_.slots() > 0) before_ = snapshotOf(game_, 0);
+  if (fall_.needsRestart()) input.buttons |= Input::kRestart;
   const std::array<Input, 1> inputs{Input{static_cast<std::uint8_t>(input.buttons | Input::kPresent)}};
   game_.advance(inputs);
   attempt_.observe(game_.tick(), game_.player(0));
+  fall_.observe(game_.tick(), game_, 0);
 }
 
 Scene BallPlay::scene() const {

@@ -39,6 +39,7 @@ class BallPlay {
   std::shared_ptr<const StageModel> stage_;
   PlayerSnapshot before_;
   AttemptTime attempt_;
+  EndlessFall fall_;
   Camera camera_;
   InputMapper mapper_;
   Steering steering_;

@@ -35,6 +35,17 @@ TEST(BallPlayTest, NothingIsPressedWhileTheMenuIsOpen) {
   EXPECT_EQ(play.game().world().entities()[0].position.x, before.x);
 }
 
+// Before, a ball that fell round the solid fell for ever.
+TEST(BallPlayTest, AFallThatDoesNotEndLeadsBackToTheStartAsInTheGame) {
+  BallPlay play(loadLevel("HEXAHEDRON\n0 0 0 0\n4 200 200\n480\n%\n%\n%\n%\n%\n%\n").level, Camera());
+  int restarts = 0;
+  for (int tick = 0; tick < 3000 && restarts == 0; ++tick) {
+    play.advance(kTick, false);
+    if ((play.game().player(0).held & Input::kRestart) != 0) ++restarts;
+  }
+  EXPECT_EQ(restarts, 1);
+}
+
 TEST(BallPlayTest, ThePictureMovesBetweenTheTicks) {
   BallPlay play(loadLevel(TestEditor::levelText()).level, Camera());
   play.handle(KeyEvent{Key::kArrowRight, KeyEvent::Kind::kPress}, false);
