@@ -177,7 +177,9 @@ Scene ReplayViewer::scene() const {
 }
 
 ReplayStatus ReplayViewer::status() const {
-  return {player_.tick(), player_.replay().ticks(), player_.speed(), player_.paused()};
+  ReplayStatus status{player_.tick(), player_.replay().ticks(), player_.speed(), player_.paused()};
+  status.several = player_.game().presentPlayers() > 1;
+  return status;
 }
 
 }  // namespace platon

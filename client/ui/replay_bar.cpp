@@ -21,10 +21,6 @@ constexpr float kLine = 56;  // middle of the line
 constexpr float kThick = 8;
 constexpr float kReach = 14;      // above and below the line, where a click counts
 constexpr float kTextWidth = 96;  // left and right of the line
-constexpr const char* kKeys =
-    "Space: pause · ← →: tick · Shift + ← →: 5 s · + −: speed · Tab: next player · Esc: leave";
-constexpr const char* kButtons =
-    "pad A: pause · ← →: tick · LB RB: 5 s · ↑ ↓: speed · Back: next player · pad B: leave";
 
 float left() { return kBarMargin + kTextWidth; }
 float right(glm::vec2 screen) { return std::max(screen.x - kBarMargin - kTextWidth, left() + 1); }
@@ -36,7 +32,19 @@ std::string timeText(std::uint32_t ticks) {
   return std::to_string(hundredths / 6000) + ":" + twoDigits(hundredths / 100 % 60) + "." + twoDigits(hundredths % 100);
 }
 
+bool hasEnded(const ReplayStatus& status) { return status.paused && status.tick == status.ticks; }
+
+std::string keysText(const ReplayStatus& status) {
+  const std::string deed = hasEnded(status) ? "play again" : status.paused ? "play on" : "pause";
+  if (status.gamepad)
+    return "pad A: " + deed + " · ← →: tick · LB RB: 5 s · ↑ ↓: speed" +
+           (status.several ? " · Back: next player" : "") + " · pad B: leave";
+  return "Space: " + deed + " · ← →: tick · Shift + ← →: 5 s · + −: speed" +
+         (status.several ? " · Tab: next player" : "") + " · Esc: leave";
+}
+
 std::string speedText(const ReplayStatus& status) {
+  if (hasEnded(status)) return "end";
   if (status.paused) return "paused";
   std::string text = std::to_string(status.speed);
   text.erase(text.find_last_not_of('0') + 1);
@@ -62,8 +70,7 @@ Overlay makeReplayBar(const ReplayStatus& status, const Font& font, glm::vec2 sc
   writer.right(speedText(status), {screen.x - kBarMargin - 16, upper}, kSmallestText, status.paused ? kGold : kBright);
   writer.left(timeText(status.ticks), {kBarMargin + 16, lower}, kSmallestText, kSoft);
   const float room = (right(screen) - left()) / kSmallestText;
-  writer.centred(fittedText(status.gamepad ? kButtons : kKeys, font, room), {screen.x / 2, lower}, kSmallestText,
-                 kSoft);
+  writer.centred(fittedText(keysText(status), font, room), {screen.x / 2, lower}, kSmallestText, kSoft);
   return writer.take();
 }
 

@@ -17,6 +17,7 @@ struct ReplayStatus {
   double speed = 1;
   bool paused = false;
   bool gamepad = false;  ///< its buttons are named instead of keys
+  bool several = false;  ///< there are other players to follow
 };
 
 /// The position in a replay at the lower edge of a screen of this size, with speed and keys.

@@ -174,9 +174,9 @@ TEST_F(HudPicturesTest, WithoutAGame) {
 }
 
 TEST_F(HudPicturesTest, Replay) {
-  expectOverlay(makeReplayBar({2000, 7200, 0.5, false}, font_, {1280, 720}), "replay");
+  expectOverlay(makeReplayBar({2000, 7200, 0.5, false, false, true}, font_, {1280, 720}), "replay");
   const float scale = textScale(1, 360);
-  const Overlay bar = makeReplayBar({2000, 7200, 1, true}, font_, glm::vec2(1280, 720) / scale);
+  const Overlay bar = makeReplayBar({2000, 7200, 1, true, false, true}, font_, glm::vec2(1280, 720) / scale);
   expectOverlay(scaledBy(bar, scale), "replay_640x360", 640, 360);
 }
 

@@ -155,7 +155,7 @@ Overlay drawn(const Scene& scene, HudStatus status, const Picture& picture, bool
   Overlay bar;
   if (replay) {
     const glm::vec2 screen(Overlay::widthFor(picture.width, picture.height), Overlay::kHeight);
-    bar = scaledBy(makeReplayBar({100, 200, 1, false}, font(), screen / status.scale), status.scale);
+    bar = scaledBy(makeReplayBar({100, 200, 1, false, false, true}, font(), screen / status.scale), status.scale);
     status.foot = Overlay::kHeight - boundsOf(bar, font()).low.y;
   }
   Overlay hud = makeHud(scene, camera, status, font());

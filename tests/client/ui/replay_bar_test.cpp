@@ -36,10 +36,24 @@ TEST(ReplayBar, ShowsTimesAndSpeed) {
 TEST(ReplayBar, NamesTheKeysOrTheButtonsOfTheGamepad) {
   const Font font;
   const auto keys = [&](bool gamepad) {
-    return makeReplayBar({0, 7200, 1, false, gamepad}, font, kScreen).texts.back().content;
+    return makeReplayBar({0, 7200, 1, false, gamepad, true}, font, kScreen).texts.back().content;
   };
   EXPECT_EQ(keys(false), "Space: pause · ← →: tick · Shift + ← →: 5 s · + −: speed · Tab: next player · Esc: leave");
   EXPECT_EQ(keys(true), "pad A: pause · ← →: tick · LB RB: 5 s · ↑ ↓: speed · Back: next player · pad B: leave");
+}
+
+// Before, the bar said "Space: pause" also where Space plays on or again, and offered Tab with one player.
+TEST(ReplayBar, NamesWhatTheKeysDoAtThisMoment) {
+  const Font font;
+  const auto bar = [&](std::uint32_t tick, bool paused) {
+    return makeReplayBar({tick, 7200, 1, paused}, font, kScreen);
+  };
+  const std::string others = " · ← →: tick · Shift + ← →: 5 s · + −: speed · Esc: leave";
+  EXPECT_EQ(bar(7199, false).texts.back().content, "Space: pause" + others);
+  EXPECT_EQ(bar(7199, true).texts.back().content, "Space: play on" + others);
+  EXPECT_EQ(bar(7200, true).texts.back().content, "Space: play again" + others);
+  EXPECT_TRUE(has(bar(7200, true), "end"));
+  EXPECT_FALSE(has(bar(7200, true), "paused"));
 }
 
 TEST(ReplayBar, ThePanelReachesBeyondTheLine) {
@@ -76,7 +90,7 @@ TEST(ReplayBar, NothingOverlapsInALongRecording) {
   for (const std::uint32_t height : {360U, 720U, 2160U}) {
     const glm::vec2 screen = kScreen / textScale(1, height);
     for (const std::uint32_t tick : {0U, kTicks / 2, kTicks}) {
-      const Overlay bar = makeReplayBar({tick, kTicks, 0.25, tick == 0}, font, screen);
+      const Overlay bar = makeReplayBar({tick, kTicks, 0.25, tick != kTicks / 2, false, true}, font, screen);
       std::vector<HudBox> boxes{{bar.panels[1].low, bar.panels[1].high}, {bar.panels[3].low, bar.panels[3].high}};
       const std::size_t line = boxes.size();
       for (const Overlay::Text& text : bar.texts) {
