@@ -3,6 +3,7 @@
 #include <array>
 
 #include "client/ui/overlay_writer.h"
+#include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 
 namespace platon {
@@ -21,10 +22,7 @@ std::uint32_t scaled(std::uint32_t ticks, std::uint32_t percent) {
 
 std::string nameOf(Medal medal) { return kMedalNames[static_cast<std::size_t>(medal)]; }
 
-std::string tenthsText(Medal medal, std::uint32_t ticks) {
-  const std::uint32_t tenths = ticks / kStep;
-  return nameOf(medal) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
-}
+std::string withTime(Medal medal, std::uint32_t ticks) { return nameOf(medal) + ": " + finishTextOf(ticks); }
 
 }  // namespace
 
@@ -53,11 +51,11 @@ std::string nextMedalText(const MedalTimes& times, std::optional<std::uint32_t> 
     case Medal::kGold:
       return nameOf(Medal::kGold);
     case Medal::kSilver:
-      return tenthsText(Medal::kGold, times.gold);
+      return withTime(Medal::kGold, times.gold);
     case Medal::kBronze:
-      return tenthsText(Medal::kSilver, times.silver);
+      return withTime(Medal::kSilver, times.silver);
     default:
-      return tenthsText(Medal::kBronze, times.bronze);
+      return withTime(Medal::kBronze, times.bronze);
   }
 }
 

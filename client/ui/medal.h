@@ -31,10 +31,10 @@ std::string starsOf(std::optional<Medal> medal);
 /// The colour of the medal; that of soft text without one.
 glm::vec4 colourOf(Medal medal);
 
-/// What a time has given, and what is next: `★★☆ gold: 12.3 s`.
+/// What a time has given, and what is next: `★★☆ gold: 12.30 s`.
 std::string medalText(const MedalTimes& times, std::uint32_t ticks);
 
-/// The next better medal and its time: `gold: 12.3 s`; `gold` if it has been reached. `best`: nothing: no time yet.
+/// The next better medal and its time: `gold: 12.30 s`; `gold` if it has been reached. `best`: nothing: no time yet.
 std::string nextMedalText(const MedalTimes& times, std::optional<std::uint32_t> best);
 
 }  // namespace platon

@@ -107,7 +107,7 @@ TEST(ResultsPanel, APlayerWhoIsAloneReadsItsTimeOnceAndTheKeys) {
   EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .difference = -0.5, .isNewBest = true}, ""),
             "Goal in 12.34 s – new best (−0.50 s)");
   EXPECT_EQ(ownResultOf(scene, {.best = 11.84, .difference = 0.5}, ""), "Goal in 12.34 s (+0.50 s)");
-  EXPECT_EQ(ownResultOf(scene, {}, "★★☆ gold: 9.5 s"), "Goal in 12.34 s · ★★☆ gold: 9.5 s");
+  EXPECT_EQ(ownResultOf(scene, {}, "★★☆ gold: 9.50 s"), "Goal in 12.34 s · ★★☆ gold: 9.50 s");
   EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level (Corners) · R: again");
 }
 

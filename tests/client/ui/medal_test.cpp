@@ -40,11 +40,11 @@ TEST(Medal, HasAFormAndAColour) {
 
 TEST(Medal, TheNextOneIsNamedWithItsTime) {
   const MedalTimes times = medalTimesOf(600);
-  EXPECT_EQ(nextMedalText(times, std::nullopt), "bronze: 25.0 s");
-  EXPECT_EQ(nextMedalText(times, 1600), "bronze: 25.0 s");
-  EXPECT_EQ(nextMedalText(times, 1500), "silver: 15.0 s");
-  EXPECT_EQ(medalText(times, 900), "★★☆ silver, gold: 11.5 s");
-  EXPECT_EQ(medalText(times, 1600), "☆☆☆ no medal, bronze: 25.0 s");
+  EXPECT_EQ(nextMedalText(times, std::nullopt), "bronze: 25.00 s");
+  EXPECT_EQ(nextMedalText(times, 1600), "bronze: 25.00 s");
+  EXPECT_EQ(nextMedalText(times, 1500), "silver: 15.00 s");
+  EXPECT_EQ(medalText(times, 900), "★★☆ silver, gold: 11.50 s");
+  EXPECT_EQ(medalText(times, 1600), "☆☆☆ no medal, bronze: 25.00 s");
   EXPECT_EQ(medalText(times, 1), "★★★ gold");
 }
 

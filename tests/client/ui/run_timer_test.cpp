@@ -46,7 +46,7 @@ TEST(RunTimer, ShowsTheOwnTimeAndThePersonalBest) {
 
 TEST(RunTimer, ATimeHasAMedalAtTheGoal) {
   const MedalTimes times{60, 120, 180};
-  EXPECT_EQ(ownMedalText(sceneOf(1.5, true), times), "★★☆ silver, gold: 1.0 s");
+  EXPECT_EQ(ownMedalText(sceneOf(1.5, true), times), "★★☆ silver, gold: 1.00 s");
   EXPECT_EQ(ownMedalText(sceneOf(1.5, false), times), "");
   EXPECT_EQ(ownMedalText(sceneOf(1.5, true), std::nullopt), "");
   EXPECT_EQ(ownMedalText(Scene(), times), "") << "no local player";
