@@ -38,10 +38,15 @@ std::string elementsText(const Level& level, const SolutionFacts& facts, bool js
   return text;
 }
 
+std::string counted(std::int64_t count, const char* one, const char* several) {
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
 void printFacts(const Level& level, const SolutionFacts& facts) {
-  std::printf("solved in %.2f s: %u presses, %u crossings, %u turns of down", facts.ticks / 60.0, facts.presses,
-              facts.crossings, facts.turns);
-  if (facts.slack) std::printf(", tightest jump %d ticks", *facts.slack);
+  std::printf("solved in %.2f s: %s, %s, %s of down", facts.ticks / 60.0,
+              counted(facts.presses, "press", "presses").c_str(),
+              counted(facts.crossings, "crossing", "crossings").c_str(), counted(facts.turns, "turn", "turns").c_str());
+  if (facts.slack) std::printf(", tightest jump %s", counted(*facts.slack, "tick", "ticks").c_str());
   const std::string elements = elementsText(level, facts, false);
   if (!elements.empty()) std::printf("; uses %s", elements.c_str());
   std::printf("; difficulty %d", difficultyOf(facts));
