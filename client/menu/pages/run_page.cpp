@@ -15,7 +15,6 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
                  const RunChoices& choices) {
   MenuPage page{entry.title};
   page.place = MenuPage::Place::kLeft;
-  page.backMark = false;
   page.warning = !fault.empty() || !entry.note.empty();
   // The path comes last: it may be longer than the page.
   if (!fault.empty()) {
@@ -31,7 +30,10 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
   offer("Watch", choices.watch);
   offer("Race against it", choices.race);
   offer("Keep it as a ghost", choices.keep);
-  offer("Back", choices.back);
+  if (page.items.empty()) {
+    offer("Back", choices.back);
+    page.backMark = false;
+  }
   return page;
 }
 

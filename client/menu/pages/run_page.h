@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// What the player can do with a recording. What is not set is not offered.
+/// What the player can do with a recording. What is not set is not offered; the way back is an item if nothing else is.
 struct RunChoices {
   std::function<void()> watch{};
   std::function<void()> race{};  ///< plays its level with it as a ghost

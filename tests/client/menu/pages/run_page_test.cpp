@@ -19,12 +19,23 @@ TEST(RunPage, OffersWhatIsSet) {
   RunChoices choices;
   choices.watch = [&] { called += "watch "; };
   choices.back = [&] { called += "back "; };
-  EXPECT_EQ(namesOf(runPage({"One"}, "file", "", choices)), (std::vector<std::string>{"Watch", "Back"}));
+  EXPECT_EQ(namesOf(runPage({"One"}, "file", "", choices)), std::vector<std::string>{"Watch"});
   choices.race = [&] { called += "race "; };
   choices.keep = [&] { called += "keep "; };
   const MenuPage page = runPage({"One"}, "file", "", choices);
   for (const MenuItem& item : page.items) item.choose();
-  EXPECT_EQ(called, "watch race keep back ");
+  EXPECT_EQ(called, "watch race keep ");
+}
+
+// Before, each had an item for it, where the pages around it have the mark.
+TEST(RunPage, HasAnItemThatLeadsBackOnlyIfItHasNoOther) {
+  RunChoices choices;
+  choices.back = [] {};
+  const MenuPage damaged = runPage({"One"}, "file", "", choices);
+  EXPECT_EQ(namesOf(damaged), std::vector<std::string>{"Back"});
+  EXPECT_FALSE(damaged.backMark);
+  choices.watch = [] {};
+  EXPECT_TRUE(runPage({"One"}, "file", "", choices).backMark);
 }
 
 TEST(RunPage, NamesTheFileAndSaysWhoseItIs) {
