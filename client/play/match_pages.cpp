@@ -19,6 +19,7 @@ void MatchPages::loseGamepad(LiveMatch& match) {
 }
 
 void MatchPages::openPause(LiveMatch& match, const std::string& note) {
+  skip_.takeBack();
   menu_->open([this, &match, note] { return pauseOver(match, note); });
 }
 
@@ -30,7 +31,7 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   if (!note.empty()) choices.notes.insert(choices.notes.begin(), note);
   if (!alone) choices.notes.emplace_back("The game goes on while the menu is open.");
   choices.title = alone ? "Pause" : "Platon";
-  choices.next = alone                ? "Next level"
+  choices.next = alone                ? (skip_.asked() ? "Skip this level?" : "Next level")
                  : match.wishesNext() ? "Take back the vote for the next level"
                                       : "Vote for the next level";
   choices.restartKey = interface_->keyHints().of(Control::kRestart);
@@ -41,6 +42,7 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
     menu_->close();
   };
   choices.onNext = [this, &match] {
+    if (match.alone() && !skip_.wish(match.losesNothing())) return;
     match.skipLevel();
     menu_->close();
   };

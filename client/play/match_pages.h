@@ -7,6 +7,7 @@
 #include "client/menu/menu.h"
 #include "client/menu/text_field.h"
 #include "client/play/match/live_match.h"
+#include "client/ui/skip_question.h"
 #include "client/ui/user_interface.h"
 #include "protocol/chat.h"
 
@@ -41,6 +42,7 @@ class MatchPages {
   Menu* menu_;
   UserInterface* interface_;
   Calls calls_;
+  SkipQuestion skip_;
   TextField text_{kMaxChatBytes};  // what the player is about to say
 };
 

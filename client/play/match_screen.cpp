@@ -62,11 +62,8 @@ void MatchScreen::perform(Action action) {
   }
 }
 
-// Of a level for several players nobody who is alone has anything to lose.
 void MatchScreen::wishNext() {
-  const std::shared_ptr<const Level> level = match_.level();
-  const bool losesNothing = match_.roundOver() || (level && level->players > 1);
-  if (!match_.alone() || skip_.wish(losesNothing)) match_.skipLevel();
+  if (!match_.alone() || skip_.wish(match_.losesNothing())) match_.skipLevel();
 }
 
 void MatchScreen::watch(const std::filesystem::path& file) {

@@ -212,6 +212,9 @@ std::shared_ptr<const Level> LiveMatch::level() const {
   return round == nullptr ? nullptr : round->prediction().confirmed().sharedLevel();
 }
 
+// A level for several players nobody can reach alone.
+bool LiveMatch::losesNothing() const { return roundOver() || (level() && level()->players > 1); }
+
 std::vector<GhostSource> LiveMatch::ghosts(const Settings& settings) const {
   const Round* const round = roundOf(client_);
   if ((!settings.ghosts && choice_.rival.empty()) || round == nullptr) return {};

@@ -166,6 +166,8 @@ class LiveMatch {
   bool waits() const { return server_ && server_->waits(); }
   /// Whether the server has ended the round.
   bool roundOver() const { return client_.session() != nullptr && client_.session()->roundEnd() != nullptr; }
+  /// Whether a player who is alone has nothing to lose by the next level: the goal is reached, or not to be reached.
+  bool losesNothing() const;
   /// Whether the local player wishes the next level.
   bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
   /// The present level; null before the first round.
@@ -208,9 +210,9 @@ class LiveMatch {
   std::shared_ptr<PausableClock> time_;
   std::unique_ptr<EmbeddedServer> server_;  // null: it is elsewhere
   ServerMemory memory_;
+  bool demo_;  // the program plays, not the user
   std::shared_ptr<RunKeeper> runs_;
   NetworkClient client_;
-  bool demo_;  // the program plays, not the user
   ReachedLevels reached_;
   AttemptSpeed attempt_;
   std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for

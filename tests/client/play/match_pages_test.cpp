@@ -64,6 +64,27 @@ TEST_F(MatchPagesTest, ThePauseOfAPlayerWhoIsAloneLeadsToTheNextLevel) {
   EXPECT_FALSE(shows("Say")) << "nobody would hear it";
 }
 
+// Before, it skipped the level at once, while V asks.
+TEST_F(MatchPagesTest, ThePauseAsksBeforeItSkipsALevelWhoseGoalIsNotReached) {
+  const auto round = [this] { return match_->client().session()->round()->id(); };
+  const std::uint32_t first = round();
+  pages_.showPause(*match_);
+  menu_.setFocus(2);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("Skip this level?"));
+  pages_.showPause(*match_);
+  EXPECT_FALSE(shows("Skip this level?")) << "whoever opens it again is asked again";
+  menu_.setFocus(2);
+  tap(Key::kEnter);
+  EXPECT_TRUE(menu_.isOpen());
+  tap(Key::kEnter);
+  EXPECT_FALSE(menu_.isOpen());
+  EXPECT_TRUE(waitUntil([&] {
+    match_->update(false, [](const Game&, std::uint32_t) { return Input{}; });
+    return round() == first + 1;
+  }));
+}
+
 TEST_F(MatchPagesTest, ThePauseLeadsToTheSettingsAndOut) {
   pages_.showPause(*match_);
   tap(Key::kArrowUp);  // to the last item
