@@ -232,7 +232,7 @@ MenuPage FrontPages::titlePage() {
   page.place = MenuPage::Place::kLeft;
   page.items = {{.name = "Play", .value = entries_[nextLevel()].title, .choose = [this] { playFrom(nextLevel()); }},
                 {.name = "Levels", .choose = [this] { showLevels(); }},
-                {.name = "Join a server", .choose = [this] { joinPage_.show(); }},
+                {.name = "Join a server", .choose = [this] { showJoin(); }},
                 {.name = "Host a game", .choose = [this] { showHost(); }},
                 {.name = "Replays", .choose = [this] { replays_.showList(); }},
                 {.name = "Settings", .choose = [this] { settingsPages_.show(MenuPage::Place::kLeft); }},
@@ -250,7 +250,8 @@ std::size_t FrontPages::nextLevel() const {
 std::shared_ptr<const Level> FrontPages::shownLevel() {
   if (levels_.empty()) return nullptr;
   if (std::shared_ptr<const Level> level = replays_.shownLevel()) return level;
-  return levels_[beside_ && menu_->isOpen() ? beside_() : nextLevel()].level;
+  const std::optional<std::size_t> level = beside_ && menu_->isOpen() ? beside_() : nextLevel();
+  return level ? levels_[*level].level : nullptr;
 }
 
 std::optional<std::size_t> FrontPages::shippedIndexOf(const Level& level) const {
@@ -291,7 +292,7 @@ void FrontPages::choose(std::size_t level) {
 void FrontPages::showSeveralPlayers(std::size_t level) {
   menu_->push([this, level] {
     beside_ = [level] { return level; };
-    return severalPlayersPage(entries_[level], {[this, level] { hostLevel(level); }, [this] { joinPage_.show(); }});
+    return severalPlayersPage(entries_[level], {[this, level] { hostLevel(level); }, [this] { showJoin(); }});
   });
 }
 
@@ -299,6 +300,7 @@ void FrontPages::hostLevel(std::size_t level) {
   hostForm_.level = level;
   hostForm_.players = std::max<double>(hostForm_.players, entries_[level].players);
   showHost();
+  menu_->setFocus(kHostStartItem);  // all is set already
 }
 
 std::vector<std::string> FrontPages::filesFrom(std::size_t level) const {
@@ -336,7 +338,21 @@ void FrontPages::showRun(const std::filesystem::path& file) {
 }
 
 void FrontPages::askPassword(const ServerAddress& server, bool wrong) {
-  if (showTitle()) joinPage_.askPassword(server, wrong);
+  if (!showTitle()) return;
+  beside_ = [] { return std::nullopt; };
+  joinPage_.askPassword(server, wrong);
+}
+
+void FrontPages::refuseHost(const std::string& reason) {
+  if (!showTitle()) return;
+  showHost();
+  hostForm_.fault = reason;
+  menu_->setFocus(kHostPortItem);
+}
+
+void FrontPages::showJoin() {
+  beside_ = [] { return std::nullopt; };
+  joinPage_.show();
 }
 
 void FrontPages::showHost() {

@@ -82,9 +82,12 @@ class FrontPages {
   bool showTitle();
   /// Asks for the password of a server, after it has refused another one if `wrong`.
   void askPassword(const ServerAddress& server, bool wrong);
+  /// Shows the page to host a game again, with the reason why it cannot be hosted like that.
+  void refuseHost(const std::string& reason);
   /// As JoinPage::update.
   void update(Moment now) { joinPage_.update(now); }
-  /// The level to see behind the pages; null before the title was shown.
+  /// The level to see behind the pages; null before the title was shown, and behind the page to join a server, which
+  /// may play any.
   std::shared_ptr<const Level> shownLevel();
   /// What is known of a level. One that did not come with the game has no medals.
   LevelEntry entryOf(const std::shared_ptr<const Level>& level) const;
@@ -101,6 +104,7 @@ class FrontPages {
   void showSeveralPlayers(std::size_t level);
   void hostLevel(std::size_t level);
   void showHost();
+  void showJoin();
   void playFrom(std::size_t level);
   std::string race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
   std::string hostFault() const;
@@ -115,8 +119,9 @@ class FrontPages {
   SettingsPages settingsPages_;
   Calls calls_;
   std::vector<ShippedLevel> levels_;
-  std::vector<LevelEntry> entries_;      // of levels_
-  std::function<std::size_t()> beside_;  // the level to see behind the page that was shown last
+  std::vector<LevelEntry> entries_;  // of levels_
+  // The level to see behind the page that was shown last, if any.
+  std::function<std::optional<std::size_t>()> beside_;
   ReplayPages replays_;
   JoinPage joinPage_;
   HostForm hostForm_;

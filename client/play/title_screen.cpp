@@ -93,6 +93,8 @@ void TitleScreen::refuse(const MatchRefused& refused) {
     next_ = Quit{refused.error};
   } else if (refused.asksPassword) {
     front_.askPassword(*choice_.server, !choice_.password.empty());
+  } else if (choice_.own.listens) {
+    front_.refuseHost(refused.error.what());
   } else {
     desk_->menu.open([this, refused] {
       return failurePage(

@@ -23,6 +23,10 @@ struct HostForm {
   std::string fault{};  ///< what is wrong with the form; empty: nothing
 };
 
+/// Items of the page that the program may give the focus to.
+inline constexpr std::size_t kHostPortItem = 3;
+inline constexpr std::size_t kHostStartItem = 5;
+
 /// The page on which the player sets up a game for others. `host` is called with the present form. `form` and `levels`
 /// outlive the page.
 MenuPage hostPage(HostForm& form, std::span<const LevelEntry> levels, const std::function<void()>& host);

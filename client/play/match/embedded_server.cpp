@@ -86,6 +86,17 @@ ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   return settings;
 }
 
+// A player chooses the port on a page, not by an option.
+std::string listenFault(const EmbeddedSettings& settings, const SocketError& error) {
+  constexpr std::uint16_t kFirstFree = 1024;
+  const std::string port = "UDP port " + std::to_string(settings.port);
+  if (settings.listens && error.exitCode() == SocketError::kFailed)
+    return "Another program uses " + port + ": choose another port.";
+  if (settings.listens && settings.port < kFirstFree)
+    return "The game may not use " + port + ": choose a port above 1023.";
+  return error.what();
+}
+
 // The first line of an error in a level file, as a notice for the player, who knows which file it is.
 std::string noticeOf(const std::string& file, const std::string& error) {
   std::string text = error.substr(0, error.find('\n'));
@@ -114,6 +125,7 @@ struct EmbeddedServer::Running {
     while (!stop) {
       if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
       server.match().countTimes(timesCount);
+      server.match().keepTimesOf(keptSlot);
       if (nextAsked.exchange(false)) server.match().startNextRound();
       server.step(now());
       players = server.match().players();
@@ -125,7 +137,6 @@ struct EmbeddedServer::Running {
 
   // Whoever plays the only level while it is made sees each version at once.
   void reload() {
-      server.match().keepTimesOf(keptSlot);
     try {
       server.updateLevels(load(levelFiles.files()));
       if (levelFiles.files().size() == 1) server.match().startNextRound();
@@ -141,6 +152,7 @@ struct EmbeddedServer::Running {
   std::atomic<bool> stop{false};
   std::atomic<bool> nextAsked{false};
   std::atomic<bool> timesCount{true};
+  std::atomic<std::uint32_t> keptSlot{UINT32_MAX};  // of nobody at first
   std::atomic<std::size_t> players{0};
   std::atomic<bool> waits{false};
   std::thread thread;  // last: uses the members above from its start
@@ -150,9 +162,8 @@ EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shar
   try {
     running_ = std::make_unique<Running>(settings, settings.levels.empty() ? gameLevelFiles() : settings.levels, clock);
   } catch (const SocketError& error) {
-    throw ProgramError(ProgramError::kFailed, error.what());
+    throw ProgramError(ProgramError::kFailed, listenFault(settings, error));
   }
-  std::atomic<std::uint32_t> keptSlot{UINT32_MAX};  // of nobody at first
 }
 
 EmbeddedServer::~EmbeddedServer() = default;
@@ -165,10 +176,10 @@ bool EmbeddedServer::waits() const { return running_->waits; }
 
 void EmbeddedServer::countTimes(bool count) { running_->timesCount = count; }
 
+void EmbeddedServer::keepTimesOf(std::uint32_t slot) { running_->keptSlot = slot; }
+
 void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
 
 CryptoKey EmbeddedServer::identity() const { return running_->server.identity().publicKey(); }
 
 }  // namespace platon
-void EmbeddedServer::keepTimesOf(std::uint32_t slot) { running_->keptSlot = slot; }
-

@@ -129,20 +129,42 @@ TEST_F(FrontPagesTest, ALevelForTwoIsHostedOrJoinedAndSaysWhy) {
     tap(Key::kArrowDown);
     tap(Key::kEnter);
     EXPECT_TRUE(shows("Address")) << "the page to join a server";
-    EXPECT_EQ(pages_.shownLevel()->hash, level.level->hash);
+    EXPECT_EQ(pages_.shownLevel(), nullptr) << "the server may play any level";
     tap(Key::kEscape);
+    EXPECT_TRUE(shows("This level needs 2 players"));
+    EXPECT_EQ(pages_.shownLevel()->hash, level.level->hash);
     tap(Key::kArrowUp);
     tap(Key::kEnter);
     EXPECT_TRUE(shows("First level"));
-    tap(Key::kArrowUp);
     tap(Key::kEnter);
-    ASSERT_TRUE(started_) << level.file;
+    ASSERT_TRUE(started_) << level.file << ": Enter starts it, the focus is on the last item";
     EXPECT_TRUE(started_->own.listens);
     EXPECT_EQ(started_->own.levels.front(), level.file);
     EXPECT_GE(started_->own.maxPlayers, 2U);
     started_.reset();
   }
   EXPECT_EQ(seen, 6);
+}
+
+// Before, Esc led to the title, and all that was entered had to be entered again.
+TEST_F(FrontPagesTest, WhatCannotBeHostedIsToldOnThePageThatIsToBeChanged) {
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  tap(Key::kArrowRight);
+  tap(Key::kArrowUp);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  pages_.refuseHost("Another program uses UDP port 7777: choose another port.");
+  EXPECT_TRUE(shows("choose another port"));
+  tap(Key::kBackspace);
+  type("8");
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_EQ(started_->own.port, 7778);
+  EXPECT_EQ(started_->own.levels.front(), loadShippedLevels()[1].file);
+  EXPECT_FALSE(shows("choose another port"));
+  tap(Key::kEscape);
+  EXPECT_TRUE(shows("Host a game")) << "the title";
 }
 
 TEST_F(FrontPagesTest, ALevelForTwoIsNotHostedForOne) {

@@ -45,6 +45,8 @@ TEST_F(HostPage, TheNumberOfPlayersStaysInItsRange) {
 
 TEST_F(HostPage, TheLastItemHosts) {
   EXPECT_EQ(form_.port.text(), "7777");
+  EXPECT_EQ(page().items[kHostPortItem].name, "Port");
+  EXPECT_EQ(page().items.size(), kHostStartItem + 1);
   page().items.back().choose();
   EXPECT_EQ(hosted_, 1);
   EXPECT_FALSE(page().warning);

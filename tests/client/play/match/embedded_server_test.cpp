@@ -10,6 +10,7 @@
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
@@ -56,6 +57,22 @@ TEST(EmbeddedServer, EachServerHasAPortOfItsOwn) {
   const EmbeddedServer first({{kLevel}});
   const EmbeddedServer second({{kLevel}});
   EXPECT_NE(first.address().port, second.address().port);
+}
+
+// Before, the page to host a game named an option of the command line.
+TEST(EmbeddedServer, APortThatIsTakenIsToldInTheWordsOfThePage) {
+  const TemporaryFolder folder;
+  const EnvironmentVariable data("XDG_DATA_HOME", folder.path().string());
+  EmbeddedSettings settings{.levels = {kLevel}, .listens = true, .port = 0};
+  const EmbeddedServer first(settings);
+  settings.port = first.address().port;
+  try {
+    const EmbeddedServer second(settings);
+    ADD_FAILURE();
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.what(),
+              "Another program uses UDP port " + std::to_string(settings.port) + ": choose another port.");
+  }
 }
 
 TEST(EmbeddedServer, AMissingLevelFileIsAUsageError) {
