@@ -106,7 +106,7 @@ void Editor::handleEdit(Key key, bool shift) {
 
 void Editor::markSaved() {
   level_.markSaved();
-  message_ = level_.document().valid() ? "saved" : "saved, but nobody can play it before its error is corrected";
+  message_ = level_.document().valid() ? "saved" : "saved, but it cannot be played until its error is corrected";
   menu_.endSave(true);
 }
 
@@ -119,7 +119,7 @@ void Editor::reload(std::string_view text) {
   const std::shared_ptr<const Level> before = level_.document().level();
   level_.reload(text);
   showOther(before);
-  message_ = "another program has changed the file: its text is shown";
+  message_ = "another program has changed the file: the new text is shown";
 }
 
 // Places that are marked for one solid may not be on another one.

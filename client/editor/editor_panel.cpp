@@ -22,23 +22,23 @@ constexpr std::size_t kMaxLines = 5;  // of the report
 constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
                                                             {"left button", "use the tool"},
                                                             {"right button, arrows", "turn the solid"},
-                                                            {"wheel, Page Up/Down", "nearer, farther"},
-                                                            {"C", "centre the face, upright"},
+                                                            {"wheel, Page Up/Down", "zoom"},
+                                                            {"C", "show the face upright"},
                                                             {"Alt", "no snapping"},
-                                                            {"Shift", "only straight ways"},
+                                                            {"Shift", "snap the direction"},
                                                             {"+  -", "grid"},
                                                             {"X, Shift+X", "next, previous word"},
-                                                            {"0 … 9", "number; of up: the top edge"},
+                                                            {"0 … 9", "number; for up: the top edge"},
                                                             {"F", "flip the direction"},
                                                             {"Delete", "erase the selected segment"},
                                                             {"Ctrl+Z, Ctrl+Y", "undo, redo"},
                                                             {"Ctrl+S", "save"},
-                                                            {"H", "show where the ball may be"},
+                                                            {"H", "show where the ball can get"},
                                                             {"P, click", "play from there"},
-                                                            {"Esc", "end playing; menu: leave"},
+                                                            {"Esc", "stop playing; open the menu"},
                                                             {"F1", "help"},
                                                             {"F11", "full screen"},
-                                                            {"tool T, then F", "turn the ball's up"}}};
+                                                            {"tool T, then F", "turn the start"}}};
 
 glm::vec4 colourOf(LevelReport::Way way) {
   switch (way) {
@@ -133,7 +133,7 @@ void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& 
   add(status.message, kSoft);
   add(status.error, kWarning);
   if (status.playing)
-    add(std::string(status.arrived ? "✓ Goal!" : "Playing") + " · R: again from here · Esc: back to editing",
+    add(std::string(status.arrived ? "✓ Goal!" : "Playing") + " · R: try again from here · Esc: back to editing",
         status.arrived ? kGold : kBright);
 }
 
@@ -141,13 +141,13 @@ std::vector<std::string> linesOfWay(const LevelReport& report) {
   const SolutionFacts& facts = report.facts;
   switch (report.way) {
     case LevelReport::Way::kSearching:
-      return {report.reached ? "searching a way to the goal" : "searching where the ball may be"};
+      return {report.reached ? "searching for a way to the goal" : "finding where the ball can get"};
     case LevelReport::Way::kImpossible:
-      return {"the goal cannot be reached", "proved: no jump leads to where the dots end"};
+      return {"the goal cannot be reached", "proved: the ball cannot leave the blue dots"};
     case LevelReport::Way::kNotFound:
       if (report.states >= LevelAnalysis::kMaxStates)
-        return {"gave up the search for a way",
-                "after " + std::to_string(report.states) + " states; closed rooms make it shorter"};
+        return {"gave up searching for a way",
+                "after " + std::to_string(report.states) + " states; closed rooms shorten the search"};
       return {"no way to the goal found", std::to_string(report.states) + " states searched; there may still be one"};
     case LevelReport::Way::kFound:
       break;
@@ -166,7 +166,7 @@ std::vector<std::string> linesOfWay(const LevelReport& report) {
 std::vector<std::string> linesOf(const LevelReport& report) {
   std::vector<std::string> lines = linesOfWay(report);
   if (report.level && report.level->players > 1)
-    lines.push_back("for " + std::to_string(report.level->players) + " players, who all have to reach the goal");
+    lines.push_back("for " + std::to_string(report.level->players) + " players; all must reach the goal");
   for (const Diagnostic& warning : report.warnings) {
     if (lines.size() == kMaxLines) break;
     lines.push_back("text line " + std::to_string(warning.line) + ": " + warning.message);

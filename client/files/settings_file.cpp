@@ -49,8 +49,8 @@ Settings SettingsFile::load() {
   auto read = readTextFile(path_.string(), kMaxBytes);
   std::string* const text = std::get_if<std::string>(&read);
   if (text == nullptr)
-    return refuse("cannot be read: " + std::get<ParseError>(read).what + "; remove it or make it a readable file");
-  if (text->size() > kMaxBytes) return refuse("is larger than 1 MiB; remove it or what it need not hold");
+    return refuse("cannot be read: " + std::get<ParseError>(read).what + "; make it readable or remove it");
+  if (text->size() > kMaxBytes) return refuse("is larger than 1 MiB; shorten or remove it");
   SettingsResult result = parseSettings(*text);
   for (const std::string& error : result.errors) {
     std::fprintf(stderr, "platon-client: %s: %s\n", path_.c_str(), error.c_str());
@@ -58,7 +58,7 @@ Settings SettingsFile::load() {
   // Each unknown line has an error, too.
   if (const std::size_t invalid = result.errors.size() - result.unknownLines.size(); invalid != 0) {
     fault_ = (invalid == 1 ? "1 line" : std::to_string(invalid) + " lines") + " of " + path_.string() +
-             (invalid == 1 ? " is" : " are") + " invalid; the old file is kept as " + brokenPath();
+             (invalid == 1 ? " is" : " are") + " invalid; the next save keeps the old file as " + brokenPath();
     if (writer_) writer_.emplace(path_.string(), startThread, replaceAfterCopy(*text, brokenPath()));
   }
   unknownLines_ = std::move(result.unknownLines);

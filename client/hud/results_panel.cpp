@@ -70,7 +70,7 @@ std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::str
 
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font) {
   return keys.goOn() + ": next level (" + nextTitleOf(summary, font, kPanelWidth) + ") · " +
-         keys.to(Control::kRestart, "again");
+         keys.to(Control::kRestart, "try again");
 }
 
 void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const RunStatus& run,

@@ -123,8 +123,8 @@ std::string download(const std::string& url, std::size_t maxBytes, const std::st
   if (transfer.tooLong) throw DownloadError("it has more than " + std::to_string(maxBytes) + " bytes");
   if (stop.stop_requested()) throw DownloadError("stopped");
   if (transfer.forbidden) {
-    throw DownloadError("it leads to " + transfer.forbidden->text() +
-                        ", an address of this machine or of a private network, and does not come from there");
+    throw DownloadError("it redirects to " + transfer.forbidden->text() +
+                        ", an address of this machine or of a private network; only a list from there may");
   }
   if (result != CURLE_OK) throw DownloadError(reason[0] != '\0' ? reason.data() : curl_easy_strerror(result));
   return std::move(transfer.content);

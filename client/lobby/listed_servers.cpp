@@ -51,15 +51,15 @@ ListedSearch::ListedSearch(std::unique_ptr<DatagramSocket> socket, std::function
     : socket_(std::move(socket)), random_(std::move(random)), allowsLoopback_(allowsLoopback) {}
 
 std::string ListedSearch::add(const ListedServer& server, const SocketAddress& address) {
-  if (isNoMachine(address.ip)) return "its address is not one of a single machine";
-  if (address.ip.isThisMachine() && !allowsLoopback_) return "only a list of this machine may name this machine";
+  if (isNoMachine(address.ip)) return "its address is not that of a single machine";
+  if (address.ip.isThisMachine() && !allowsLoopback_) return "only a list on this machine may name this machine";
   std::size_t neighbours = 0;
   for (const Target& target : targets_) {
     if (target.address == address && target.listed.key == server.key) return "another entry names this server";
     neighbours += target.address.ip.household() == address.ip.household() ? 1 : 0;
   }
   if (neighbours >= kMaxPerHousehold)
-    return "the list has " + std::to_string(kMaxPerHousehold) + " others in its household";
+    return "the list has " + std::to_string(kMaxPerHousehold) + " others at its address or in its IPv6 network";
   targets_.push_back({server, address});
   targets_.back().listed.name = visibleLabel(server.name);
   return {};
@@ -191,7 +191,7 @@ void ListedServers::takeNames(Moment now) {
     }
   }
   if (lookup_->isPending() && now >= lookupEnd_)
-    list_.faults.emplace_back("servers of the list are left out: their names were not found in time");
+    list_.faults.emplace_back("some servers of the list are left out: their names were not resolved in time");
   if (!lookup_->isPending() || now >= lookupEnd_) lookup_.reset();
 }
 

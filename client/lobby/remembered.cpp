@@ -79,7 +79,7 @@ std::string KnownServers::read() const {
   if (std::filesystem::status(file_, ignored).type() == std::filesystem::file_type::not_found) return {};
   auto read = readTextFile(file_.string(), kMaxKnownBytes);
   if (const auto* error = std::get_if<ParseError>(&read))
-    refuse(file_.string(), error->what + "; make the file of the known servers readable");
+    refuse(file_.string(), error->what + "; make this file readable");
   auto& text = std::get<std::string>(read);
   if (text.size() > kMaxKnownBytes)
     refuse(file_.string(),
@@ -93,8 +93,8 @@ std::optional<CryptoKey> KnownServers::findIn(const std::string& text, const Ser
     const std::optional<KnownServer> known = parse(lines.line());
     if (!known) {
       refuse(file_.string() + ":" + std::to_string(lines.number()),
-             "damaged line, expected HOST:PORT KEY; correct or remove it. The key of a server without a line is "
-             "stored again when you join");
+             "damaged line, expected HOST:PORT KEY; correct or remove it. If you remove it, the key of the server is "
+             "saved again when you join");
     }
     if (!found && known->address == server.text()) found = known->key;
   }
@@ -122,7 +122,7 @@ std::string KnownServers::remember(const ServerAddress& server, const CryptoKey&
 }
 
 std::string KnownServers::faultOf(const std::string& reason) const {
-  return "the key of the server is not kept: " + file_.string() + ": " + reason;
+  return "cannot save the key of the server: " + file_.string() + ": " + reason;
 }
 
 namespace {
@@ -200,7 +200,7 @@ std::string ReachedLevels::add(std::uint64_t level) {
   };
   const std::string fault = file_.change(addTo, FileReplacement::Wait::kNot);
   if (fault.empty()) return {};
-  return "that the goal was reached is not kept: " + file_.path().string() + ": " + fault;
+  return "cannot save that the goal was reached: " + file_.path().string() + ": " + fault;
 }
 
 }  // namespace platon

@@ -148,7 +148,7 @@ Connection::Refused refusalOf(const ClientGate& gate) {
   if (gate.state() == ClientGate::State::kNoPassword)
     return {"the server needs a password: write it to a file and name the file after --password-file", true, true};
   if (gate.state() == ClientGate::State::kNoPasswordAsked)
-    return {"the server does not ask for a password: leave out --password-file if that is right", true};
+    return {"the server needs no password: join without one if that is right", true};
   if (gate.state() == ClientGate::State::kAnotherIdentity)
     return {"the server is not the one that this program knows at " + gate.server().text() +
                 ": either its owner gave it a new key, or somebody answers in its place. If you trust it, remove its "

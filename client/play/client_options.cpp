@@ -18,7 +18,7 @@ namespace platon {
 namespace {
 
 void describeFrameOptions(ProgramOptions& program, FrameOptions& frames) {
-  const char* const kGroup = "Moving picture";
+  const char* const kGroup = "Frame sequence";
   program
       .add("--frames", frames.folder,
            "Write the frames of a demonstration to this folder; needs --offscreen, --demo and --level")
@@ -31,7 +31,7 @@ void describeFrameOptions(ProgramOptions& program, FrameOptions& frames) {
       .group(kGroup);
   program.add("--from", frames.from, "Seconds of play before the first frame").range(0.0, 300.0).group(kGroup);
   program.add("--width", frames.width, "Pixels; the height is 9/16 of it").range(64, 3840).showDefault().group(kGroup);
-  program.add("--zoom", frames.zoom, "How near the camera is").range(0.5, 2.0).showDefault().group(kGroup);
+  program.add("--zoom", frames.zoom, "Zoom of the camera").range(0.5, 2.0).showDefault().group(kGroup);
   program.add("--players", frames.players, "Players; each starts a second after the one before")
       .range(1, 4)
       .showDefault()
@@ -58,9 +58,9 @@ struct Words {
 };
 
 void describe(ProgramOptions& program, ClientOptions& options, Words& words) {
-  program.add(
-      "HOST", words.host,
-      "Server address, HOST or HOST:PORT, or a link platon://HOST:PORT; without it, --level and --demo: the title");
+  program.add("HOST", words.host,
+              "Server address, HOST or HOST:PORT, or a link platon://HOST:PORT; without it, --level or --demo, the "
+              "title opens");
   program.add("--level", options.level, "Level file for the embedded server; default: the levels shipped with Platon")
       .placeholder("FILE");
   program.add("--name", options.name, "Your name, as other players see it");
@@ -72,10 +72,9 @@ void describe(ProgramOptions& program, ClientOptions& options, Words& words) {
       .range(0.1, 86400.0);
   program.add("--screenshot", options.screenshot, "Write the last frame to this PNG file").placeholder("FILE");
   program.addFlag("--list", options.list, "Print the servers on this machine and in its networks");
-  program.add(
-      "--list-url", options.listUrl,
-      "List of servers on a web server, http:// or https://, for --list and for joining in the window, where it "
-      "goes before that of the page");
+  program.add("--list-url", options.listUrl,
+              "URL of a list of servers, http:// or https://, for --list and for joining in the window; overrides the "
+              "URL in the settings");
   program.addFlag("--benchmark", options.benchmark, "Measure what a frame costs in each quality; needs --offscreen");
   program.addFlag("--json", options.json, "Print the result of --benchmark as JSON");
   describeFrameOptions(program, options.frames);
@@ -150,9 +149,10 @@ void refuseFile(const std::string& host) {
   const bool looksLikeFile = file.has_parent_path() || file.extension() == ".level" || file.extension() == ".recording";
   std::error_code ignored;  // then it is no file
   if (!looksLikeFile || !std::filesystem::is_regular_file(file, ignored)) return;
-  throw std::invalid_argument("'" + host +
-                              "' is a file, but a server is expected here; to play a level, add --level before the "
-                              "file, to watch a recording --replay, to edit a level --edit");
+  throw std::invalid_argument(
+      "'" + host +
+      "' is a file, but a server is expected here; put --level before a level to play it, --edit "
+      "to edit it, or --replay before a recording to watch it");
 }
 
 void check(ClientOptions& options, const std::string& host) {

@@ -43,7 +43,7 @@ bool EditSession::analyse() {
 void EditSession::save() {
   takeFileChange(file_.takeChange());
   if (std::exchange(conflicts_, false)) {
-    return editor_.failSave("another program has changed the file; save again to replace its text");
+    return editor_.failSave("another program has changed the file; save again to overwrite it");
   }
   const std::optional<std::string> fault = file_.save(editor_.level().text());
   fault ? editor_.failSave(*fault) : editor_.markSaved();

@@ -169,7 +169,7 @@ void JoinPage::askPassword(const ServerAddress& server, bool wrong) {
   form_.address.setText(server.text());
   form_.password.setText("");
   form_.asksPassword = true;
-  form_.fault = wrong ? "The password is wrong." : "The server asks for a password.";
+  form_.fault = wrong ? "The password is wrong." : "The server needs a password.";
   menu_->setFocus(1);
 }
 
@@ -365,7 +365,7 @@ void FrontPages::showHost() {
 
 // Why the form is refused; empty: it is not.
 std::string FrontPages::hostFault() const {
-  if (!portOf(hostForm_.port.text())) return "The port is a number from 1 to 65535.";
+  if (!portOf(hostForm_.port.text())) return "The port must be a number from 1 to 65535.";
   const LevelEntry& first = entries_[hostForm_.level];
   if (hostForm_.players >= first.players) return "";
   return first.title + " needs " + std::to_string(first.players) +

@@ -126,7 +126,7 @@ void listNearServers(const Clock& clock) {
   }
   servers.update(clock.now());
   if (servers.list().empty())
-    std::fputs("platon-client: no server nearby answers; ask who runs one for its address\n", stderr);
+    std::fputs("platon-client: no server nearby answers; ask the owner of a server for its address\n", stderr);
   std::fputs(textOf(servers.list()).c_str(), stdout);
 }
 
@@ -141,7 +141,7 @@ int printListedServers(const std::string& url, const Clock& clock) {
   servers.update(clock.now());
   for (const std::string& fault : servers.faults()) std::fprintf(stderr, "platon-client: %s\n", fault.c_str());
   if (servers.list().empty() && servers.faults().empty())
-    std::fputs("platon-client: no server of the list answers\n", stderr);
+    std::fputs("platon-client: no server in the list answers\n", stderr);
   std::fputs(textOf(servers.list()).c_str(), stdout);
   return servers.faults().empty() ? 0 : 1;
 }

@@ -169,7 +169,7 @@ HudStatus MatchScreen::hudStatus(const std::optional<Scene>& scene) {
 
 std::string MatchScreen::hint(bool roundOver) const {
   const KeyHints keys = desk_->interface.keyHints();
-  if (skip_.asked()) return keys.of(Control::kVote) + " again: next level, without this goal";
+  if (skip_.asked()) return keys.of(Control::kVote) + " again: skip this level";
   if (roundOver) return match_.alone() ? keys.goOn() + ": next level" : "";
   if (!spectator_.hint().empty() || desk_->options.demo) return spectator_.hint();
   return desk_->view.flying() ? "" : desk_->hints.hint(keys);  // the goal in the picture is not the ball

@@ -115,7 +115,7 @@ bool ReplayPages::canRace(std::size_t index) const {
 
 void ReplayPages::race(std::size_t index) {
   const std::string fault = calls_.race(levelOf(index), File(fileOf(index)));
-  fault_ = fault.empty() ? "" : "There can be no race: " + fault + ".";
+  fault_ = fault.empty() ? "" : "The race cannot start: " + fault + ".";
 }
 
 bool ReplayPages::canKeep(std::size_t index) const {

@@ -42,7 +42,7 @@ Ghost makeGhost(const fs::path& file, RunTrack track) {
 
 std::string playedInVain(const fs::path& folder) {
   return folder.string() + ": " + std::to_string(kMaxPlayedInVain) +
-         " recordings on this level are not the runs that their names tell, so the others are not read; remove them";
+         " recordings on this level are invalid or misnamed, so the others are not read; remove the bad ones";
 }
 
 std::string ghostNameOf(const fs::path& file) {

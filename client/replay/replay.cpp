@@ -18,8 +18,8 @@ std::optional<RecordingHead> readRecordingHead(std::span<const std::uint8_t> byt
 }
 
 std::string otherRulesText(std::uint32_t rules) {
-  return "was recorded by version " + std::to_string(rules) + " of the rules; this program has version " +
-         std::to_string(kRulesVersion) + " and cannot play it, so it is kept as it is";
+  return "was recorded with version " + std::to_string(rules) + " of the rules; this program has version " +
+         std::to_string(kRulesVersion) + " and cannot play it";
 }
 
 std::string damagedText(const std::string& fault) { return "is a damaged recording: " + fault; }
@@ -100,7 +100,7 @@ std::string Replay::play(const std::stop_token& stop, ReplayProgress* progress) 
   RecordedRun run(start_);
   std::uint32_t tick = 0;
   const auto differs = [&] {
-    return damagedText("it does not give the recorded game at tick " + std::to_string(game.tick()));
+    return damagedText("playing it does not lead to the recorded state at tick " + std::to_string(game.tick()));
   };
   for (RecordedBlock& block : blocks_) {
     if (game.save() != block.state) return differs();

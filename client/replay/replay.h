@@ -81,8 +81,8 @@ class Replay {
   /// Fewest ticks between two of them.
   static constexpr std::uint32_t kMinInterval = 60;
   static constexpr const char* kTooLong =
-      "takes too long to be played: it has too many ticks of too many players, or on too crowded a level; platon-sim "
-      "verify checks it nevertheless";
+      "takes too long to be played: it has too many ticks, players or segments; platon-sim "
+      "verify can still check it";
   static constexpr const char* kStopped = "was not read to its end";
   static constexpr const char* kNoStart = "is a damaged recording: its first state is not valid on its level";
   /// Most bytes of a recording.

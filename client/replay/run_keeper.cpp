@@ -44,7 +44,7 @@ void RunKeeper::takeBest(JobResult<LevelGhosts> read) {
   loadingOthers_.restart([others, played = level_](const std::stop_token& stop) {
     return readOtherGhosts(others, *played, kMaxOthers, stop);
   });
-  if (!read.value) return faults_.push_back("the best run is no ghost: " + read.fault);
+  if (!read.value) return faults_.push_back("cannot show the best run as a ghost: " + read.fault);
   best_ = std::move(read.value->best);
   bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
   if (!best_ || !isFileNew_) bestFile_ = best_ ? std::move(read.value->bestFile) : std::filesystem::path();
@@ -53,7 +53,7 @@ void RunKeeper::takeBest(JobResult<LevelGhosts> read) {
 }
 
 void RunKeeper::takeOthers(JobResult<LevelGhosts> read) {
-  if (!read.value) return faults_.push_back("the runs of others are no ghosts: " + read.fault);
+  if (!read.value) return faults_.push_back("cannot show the runs of others as ghosts: " + read.fault);
   others_ = std::move(read.value->others);
   for (std::string& fault : read.value->faults) faults_.push_back(std::move(fault));
 }
@@ -67,7 +67,7 @@ void RunKeeper::pollTrack() {
   std::optional<JobResult<std::optional<RunTrack>>> track = tracking_.poll();
   if (!track) return;
   if (track->value && *track->value) best_ = bestGhostOf(std::move(**track->value));
-  if (!track->fault.empty()) faults_.push_back("the best run is no ghost: " + track->fault);
+  if (!track->fault.empty()) faults_.push_back("cannot show the best run as a ghost: " + track->fault);
 }
 
 // If it could not be written, the file of the best run remains the one before.
@@ -143,7 +143,7 @@ std::string RunKeeper::whyNotRecorded(std::uint32_t ticks) const {
 }
 
 std::vector<std::string> RunKeeper::takeFaults() {
-  if (const std::optional<std::string> fault = saver_.poll()) faults_.push_back("the best run is not kept: " + *fault);
+  if (const std::optional<std::string> fault = saver_.poll()) faults_.push_back("cannot save the best run: " + *fault);
   pollFile();
   return std::exchange(faults_, {});
 }

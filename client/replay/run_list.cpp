@@ -16,7 +16,7 @@ namespace platon {
 
 namespace {
 
-constexpr const char* kDamagedEnd = "is a damaged recording: its end does not give the recorded game";
+constexpr const char* kDamagedEnd = "is a damaged recording: playing its end does not lead to the recorded state";
 
 // The end of a recording: its last block with ticks, and the state after it.
 struct Ending {

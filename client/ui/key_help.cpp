@@ -30,7 +30,7 @@ std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
   return {{run, pad("stick: 3 speeds"), "run"},
           row(Control::kSlow, "run slower"),
           row(Control::kJump, "jump; hold to jump higher"),
-          row(Control::kUp, "jump, or upwards on the screen"),
+          row(Control::kUp, "jump, or move up the screen"),
           row(Control::kDown, "fall faster"),
           {keys(Control::kLook) + " and arrows", pad("right stick"), "look round the solid"},
           row(Control::kRestart, "back to the start"),

@@ -36,7 +36,7 @@ constexpr std::array<SettingWord, kBallPatterns + 1> kPatterns{{kByNumber,
                                                                 {"halves", "halves"},
                                                                 {"checks", "checks"},
                                                                 {"plain", "plain"}}};
-constexpr std::array<const char*, 2> kHeld{"while the key is held", "press on, press off"};
+constexpr std::array<const char*, 2> kHeld{"while the key is held", "toggled by the key"};
 
 // The value at the end of a path of members.
 template <auto... kPath>
@@ -234,7 +234,7 @@ constexpr std::array kSettings{
             .line = 17,
             .value = SettingNumber{.member = member<&S::gameSpeed>(), .min = 50, .max = 100, .step = 5, .percent = 1},
             .group = Group::kGame,
-            .label = "Game speed, alone",
+            .label = "Game speed when alone",
             .inMotion = true,
             .onlyAlone = true},
     Setting{.name = "first-keys", .line = 21, .value = SettingFlag{member<&S::firstKeys>()}, .group = Group::kHidden},
@@ -286,7 +286,7 @@ struct AllowedValues {
   }
   std::string operator()(QualityPart part) const { return std::string(allowedValues(part)); }
   std::string operator()(SettingMember<UntoldElements>) const {
-    return "none, or words of elements with commas between";
+    return "none, or words of elements separated by commas";
   }
   std::string operator()(SettingMember<std::string>) const { return std::string("none, or ") + kListUrlForm; }
 };

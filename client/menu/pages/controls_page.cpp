@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-constexpr const char* kMenuKeys = "Menus keep the arrow keys, Enter and Esc.";
+constexpr const char* kMenuKeys = "Menus always use the arrow keys, Enter and Esc.";
 
 std::string quoted(Control control) { return "“" + std::string(nameOf(control)) + "”"; }
 
@@ -43,7 +43,7 @@ void take(const KeyEvent& event, Bindings& bindings, ControlsForm& form) {
     form = {};
   } else if (event.key == Key::kDelete || event.key == Key::kBackspace) {
     bindings.clear(control);
-    form = {{}, quoted(control) + " has no key now."};
+    form = {{}, quoted(control) + " has no key or button now."};
   } else if (!canBeBound(event.key)) {
     form.told = std::string(shownNameOf(event.key)) + " cannot be chosen.";
   } else {
@@ -53,7 +53,7 @@ void take(const KeyEvent& event, Bindings& bindings, ControlsForm& form) {
 
 std::string noteOf(const ControlsForm& form) {
   if (!form.waiting) return form.told.empty() ? kMenuKeys : form.told;
-  const std::string asks = "Press the key or button for " + quoted(*form.waiting) + ". Delete: none. Esc: as it was.";
+  const std::string asks = "Press the key or button for " + quoted(*form.waiting) + ". Delete: clear. Esc: cancel.";
   return form.told.empty() ? asks : form.told + " " + asks;
 }
 
@@ -71,7 +71,7 @@ MenuPage controlsPage(Bindings& bindings, ControlsForm& form) {
   }
   page.items.push_back({.name = "Reset to the defaults", .choose = [&bindings, &form] {
                           bindings = Bindings();
-                          form = {{}, "All keys and buttons are as at first."};
+                          form = {{}, "All keys and buttons have their defaults."};
                         }});
   if (form.waiting) page.takeKey = [&bindings, &form](const KeyEvent& event) { take(event, bindings, form); };
   return page;

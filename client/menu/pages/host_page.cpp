@@ -20,14 +20,14 @@ MenuItem levelItem(HostForm& form, std::span<const LevelEntry> levels) {
 }
 
 MenuItem rotationItem(HostForm& form) {
-  MenuItem item{MenuItem::Kind::kChoice, "Then", form.onlyLevel ? "the same again" : "the next levels"};
+  MenuItem item{MenuItem::Kind::kChoice, "Then", form.onlyLevel ? "the same level" : "the next levels"};
   item.flips = true;
   item.step = [&form](int) { form.onlyLevel = !form.onlyLevel; };
   return item;
 }
 
 MenuItem playersItem(HostForm& form) {
-  MenuItem item{MenuItem::Kind::kSlider, "Players, at most", std::to_string(std::lround(form.players)),
+  MenuItem item{MenuItem::Kind::kSlider, "Player limit", std::to_string(std::lround(form.players)),
                 (form.players - 1) / (kMaxHosted - 1)};
   item.step = [&form](int direction) { form.players = std::clamp(form.players + direction, 1.0, kMaxHosted); };
   item.set = [&form](double part) { form.players = std::round(1 + part * (kMaxHosted - 1)); };
@@ -48,7 +48,7 @@ MenuPage hostPage(HostForm& form, std::span<const LevelEntry> levels, const std:
   MenuPage page{"Host a game"};
   page.place = MenuPage::Place::kLeft;
   page.warning = !form.fault.empty();
-  page.notes.push_back(form.fault.empty() ? "Others join you at your address. The port is one of UDP." : form.fault);
+  page.notes.push_back(form.fault.empty() ? "Others join at your address, on the UDP port below." : form.fault);
   page.items = {levelItem(form, levels),
                 rotationItem(form),
                 playersItem(form),

@@ -28,7 +28,7 @@ MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
   MenuPage page{"Join a server"};
   page.place = MenuPage::Place::kLeft;
   page.warning = !form.fault.empty();
-  page.notes.push_back(form.fault.empty() ? "Ask who runs the server for its address: HOST or HOST:PORT." : form.fault);
+  page.notes.push_back(form.fault.empty() ? "Enter the address of the server: HOST or HOST:PORT." : form.fault);
   if (!form.listFault.empty()) page.notes.push_back(form.listFault);
   page.items.push_back(fieldItem("Address", form.address, false));
   if (form.asksPassword) page.items.push_back(fieldItem("Password", form.password, true));

@@ -8,11 +8,11 @@ MenuPage pausePage(const PauseChoices& choices) {
                 {.name = "Back to the start", .value = choices.restartKey, .choose = choices.onRestart},
                 {.name = choices.next, .choose = choices.onNext},
                 {.name = "Settings", .choose = choices.onSettings},
-                {.name = "Leave to the title", .choose = choices.onLeave}};
+                {.name = "Return to the title", .choose = choices.onLeave}};
   if (choices.onWatch)
     page.items.insert(page.items.begin() + 3, {.name = "Watch your best run", .choose = choices.onWatch});
   if (choices.onSay)
-    page.items.insert(page.items.begin() + 3, {.name = "Say", .value = choices.sayKey, .choose = choices.onSay});
+    page.items.insert(page.items.begin() + 3, {.name = "Talk", .value = choices.sayKey, .choose = choices.onSay});
   page.back = choices.onResume;
   page.backMark = false;
   return page;

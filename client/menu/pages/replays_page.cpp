@@ -32,7 +32,8 @@ MenuPage replaysPage(std::span<const ReplayEntry> entries, const std::function<v
   MenuPage page{"Replays"};
   page.place = MenuPage::Place::kLeft;
   if (entries.empty()) {
-    page.notes = {"Reach a goal, and your best run on its level is here. Drop a recording on the window to watch it."};
+    page.notes = {
+        "Reach a goal, and your best run on its level appears here. Drop a recording on the window to watch it."};
     page.items = {{.name = "Back", .choose = back}};
     page.backMark = false;
     return page;

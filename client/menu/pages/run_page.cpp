@@ -22,7 +22,8 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
   } else if (const std::string& why = entry.note.empty() ? entry.noRun : entry.note; !why.empty()) {
     page.notes = {sentenceOf(entry), "It " + why + ".", file};
   } else {
-    page.notes = {sentenceOf(entry), "To share it, send this file. A friend drops it on the window of the game.", file};
+    page.notes = {sentenceOf(entry), "To share it, send this file to a friend, who drops it on the window of the game.",
+                  file};
   }
   const auto offer = [&page](const char* name, const std::function<void()>& choose) {
     if (choose) page.items.push_back({.name = name, .choose = choose});

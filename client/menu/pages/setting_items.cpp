@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-constexpr std::array<const char*, kQualities.size()> kQualityNames{"low", "medium", "high", "everything on"};
+constexpr std::array<const char*, kQualities.size()> kQualityNames{"low", "medium", "high", "highest"};
 constexpr double kScaleStep = 0.05;  // of the render scale
 
 MenuItem toggleItem(const char* label, bool& flag) {

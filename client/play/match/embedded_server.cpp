@@ -44,7 +44,7 @@ void refuseForged(const std::vector<std::string>& files, const std::vector<Level
     for (std::size_t i = 0; i < levels.size(); ++i) {
       if (levels[i]->hash == ours->hash && levels[i]->text != ours->text)
         throw ProgramError(ProgramError::kInvalid,
-                           files[i] + ": error: has the hash of a level of the game; change its text");
+                           files[i] + ": error: has the same hash as a level of the game; change its text");
     }
   }
 }

@@ -94,7 +94,7 @@ class ServerLines {
   void tell() {
     if (leftOut_ == 0) return;
     print_(std::to_string(leftOut_) + (leftOut_ == 1 ? " line" : " lines") +
-           " about the server left out: it causes too many");
+           " about the server left out: there were too many");
     leftOut_ = 0;
   }
 

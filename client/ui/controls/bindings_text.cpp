@@ -64,7 +64,7 @@ std::string BindingsReader::faultOf(Control control, const ControlKeys& keys) co
   for (const std::optional<Key>& key : inOrder(keys)) {
     const std::optional<Control> owner = key ? bindings_.controlOf(*key) : std::nullopt;
     if (!owner || owner == control || !read_[static_cast<std::size_t>(*owner)]) continue;
-    return "must not have " + std::string(wordOf(*key)) + ", which " + std::string(wordOf(*owner)) + " has";
+    return "must not use " + std::string(wordOf(*key)) + ", which " + std::string(wordOf(*owner)) + " already uses";
   }
   return {};
 }

@@ -13,8 +13,8 @@ struct ControlName {
 // By Control.
 constexpr std::array<ControlName, kControlCount> kControlNames{{{"left", "Run left"},
                                                                 {"right", "Run right"},
-                                                                {"up", "Up, also jumps"},
-                                                                {"down", "Down, falls faster"},
+                                                                {"up", "Up, or jump"},
+                                                                {"down", "Down, or fall faster"},
                                                                 {"jump", "Jump"},
                                                                 {"slow", "Run slower"},
                                                                 {"restart", "Back to the start"},

@@ -22,17 +22,18 @@ std::string_view hintOf(ElementKind kind) {
     case ElementKind::kOneway:
       return "A ledge with arrows lets you pass the way they point";
     case ElementKind::kUp:
-      return "A block is filled and solid while its arrow points to the top edge of the face, or the left one of two";
+      return "A block is filled and solid while its arrow points to the top edge of the face, or the left of two top "
+             "edges";
     case ElementKind::kHazard:
       return "A zigzag sends you back to the start, or to your last flag";
     case ElementKind::kCheckpoint:
-      return "Touch a flag, and a zigzag sends you back only to there";
+      return "After you touch a flag, a zigzag sends you back to it";
     case ElementKind::kKey:
       return "A key opens all doors with its number";
     case ElementKind::kDoor:
       return {};
     case ElementKind::kPlate:
-      return "The doors with the number of a plate are open while somebody stands on it";
+      return "While somebody stands on a plate, the doors with its number are open";
   }
   return {};
 }

@@ -77,11 +77,11 @@ std::string FirstKeys::hint(const KeyHints& keys) const {
     return "Stuck? " + keys.to(Control::kRestart, "back to the start");
   switch (step_) {
     case Step::kRun:
-      return keys.run() + ": roll";
+      return keys.run() + ": run";
     case Step::kJump:
-      return keys.to(Control::kJump, "jump. Hold it to jump high");
+      return keys.to(Control::kJump, "jump. Hold it to jump higher");
     case Step::kCross:
-      return "Roll on over the edge, to the next face";
+      return "Run over the edge to the next face";
     case Step::kDown:
       return "After an edge an arrow shows where down is now: a wall may become a floor";
     case Step::kGoal:

@@ -40,7 +40,7 @@ TEST(EditorPanelTest, TheReportSaysWhatIsKnown) {
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kNotFound), "no way to the goal found"));
   EditorStatus givenUp = statusOf(LevelReport::Way::kNotFound);
   givenUp.report.states = LevelAnalysis::kMaxStates;
-  EXPECT_TRUE(shows(givenUp, "gave up the search"));
+  EXPECT_TRUE(shows(givenUp, "gave up searching"));
   EditorStatus solved = statusOf(LevelReport::Way::kFound);
   solved.report.facts = {.ticks = 378, .presses = 3, .crossings = 1, .turns = 2, .slack = 9, .elements = {}};
   EXPECT_EQ(linesOf(solved.report),
@@ -52,7 +52,7 @@ TEST(EditorPanelTest, TheReportSaysWhatIsKnown) {
 TEST(EditorPanelTest, TheReportSaysForHowManyPlayersItIs) {
   LevelReport report;
   report.level = loadLevel("# players: 2\n" + newLevelText(SolidKind::kHexahedron, "For two")).level;
-  EXPECT_EQ(linesOf(report).back(), "for 2 players, who all have to reach the goal");
+  EXPECT_EQ(linesOf(report).back(), "for 2 players; all must reach the goal");
 }
 
 TEST(EditorPanelTest, WarningsAreShownUpToALimit) {
@@ -68,10 +68,10 @@ TEST(EditorPanelTest, WhatStandsOnALineIsSeparated) {
   status.word = {ElementKind::kDoor, 4};
   status.playing = true;
   EXPECT_TRUE(shows(status, "door 4 · grid "));
-  EXPECT_TRUE(shows(status, "Playing · R: again from here · Esc: back to editing"));
+  EXPECT_TRUE(shows(status, "Playing · R: try again from here · Esc: back to editing"));
   EXPECT_FALSE(shows(status, "  "));
   status.arrived = true;
-  EXPECT_TRUE(shows(status, "✓ Goal! · R: again from here · Esc: back to editing"));
+  EXPECT_TRUE(shows(status, "✓ Goal! · R: try again from here · Esc: back to editing"));
   EXPECT_FALSE(shows(status, "  "));
 }
 

@@ -93,7 +93,8 @@ TEST_F(SettingsFileTest, AFileWithInvalidLinesIsKeptOnceBeforeItIsReplaced) {
   testing::internal::CaptureStderr();
   SettingsFile file(folder_);
   Settings settings = file.load();
-  EXPECT_EQ(file.fault(), "2 lines of " + path_.string() + " are invalid; the old file is kept as " + kept.string());
+  EXPECT_EQ(file.fault(),
+            "2 lines of " + path_.string() + " are invalid; the next save keeps the old file as " + kept.string());
   EXPECT_EQ(read(), broken);
   EXPECT_FALSE(fs::exists(kept)) << "the file has not been replaced";
   file.save(settings);
@@ -116,8 +117,8 @@ TEST_F(SettingsFileTest, AValidFileHasNoFaultAndAnInvalidLineIsCounted) {
   EXPECT_EQ(file.fault(), "");
   write("zoom\n");
   file.load();
-  EXPECT_EQ(file.fault(),
-            "1 line of " + path_.string() + " is invalid; the old file is kept as " + path_.string() + ".broken");
+  EXPECT_EQ(file.fault(), "1 line of " + path_.string() + " is invalid; the next save keeps the old file as " +
+                              path_.string() + ".broken");
   testing::internal::GetCapturedStderr();
 }
 
@@ -172,8 +173,7 @@ TEST_F(SettingsFileTest, AFileThatCannotBeReadAsAWholeIsNotWritten) {
   testing::internal::CaptureStderr();
   SettingsFile file(folder_);
   const Settings settings = file.load();
-  EXPECT_EQ(file.fault(),
-            path_.string() + " is larger than 1 MiB; remove it or what it need not hold; the settings are not saved");
+  EXPECT_EQ(file.fault(), path_.string() + " is larger than 1 MiB; shorten or remove it; the settings are not saved");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "platon-client: " + file.fault() + "\n");
   EXPECT_EQ(settings.text(), Settings().text());
   file.save(settings);
@@ -183,9 +183,9 @@ TEST_F(SettingsFileTest, AFileThatCannotBeReadAsAWholeIsNotWritten) {
   testing::internal::CaptureStderr();
   SettingsFile folder(folder_);
   folder.load();
-  EXPECT_EQ(folder.fault(),
-            path_.string() +
-                " cannot be read: Is a directory; remove it or make it a readable file; the settings are not saved");
+  EXPECT_EQ(
+      folder.fault(),
+      path_.string() + " cannot be read: Is a directory; make it readable or remove it; the settings are not saved");
   testing::internal::GetCapturedStderr();
 }
 

@@ -183,7 +183,7 @@ TEST(Hud, TheResultsTellEachTimeOnce) {
       .nextTitle = "Edges", .bestSeconds = 7.5, .bestName = "Name1", .bestIsNew = true, .waits = true};
   const Overlay own = hudOf(scene, {.summary = alone, .run = best});
   EXPECT_EQ(mentions(own, "7.50"), 1);
-  EXPECT_TRUE(find(own, "Enter: next level (Edges) · R: again"));
+  EXPECT_TRUE(find(own, "Enter: next level (Edges) · R: try again"));
   scene = sceneOf(3);
   scene.players[2].local = true;
   scene.players[2].finishSeconds = 7.5;

@@ -108,7 +108,7 @@ TEST(ResultsPanel, APlayerWhoIsAloneReadsItsTimeOnceAndTheKeys) {
             "Goal in 12.34 s – new best (−0.50 s)");
   EXPECT_EQ(ownResultOf(scene, {.best = 11.84, .difference = 0.5}, ""), "Goal in 12.34 s (+0.50 s)");
   EXPECT_EQ(ownResultOf(scene, {}, "★★☆ gold: 9.50 s"), "Goal in 12.34 s · ★★☆ gold: 9.50 s");
-  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level (Corners) · R: again");
+  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level (Corners) · R: try again");
 }
 
 TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {

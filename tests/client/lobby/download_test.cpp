@@ -95,7 +95,7 @@ TEST(DownloadTest, LeadsOnlyWhereItMay) {
   } catch (const DownloadError& error) {
     EXPECT_STREQ(
         error.what(),
-        "it leads to 127.0.0.1, an address of this machine or of a private network, and does not come from there");
+        "it redirects to 127.0.0.1, an address of this machine or of a private network; only a list from there may");
   }
   EXPECT_EQ(asked, 2);
 }

@@ -120,9 +120,9 @@ TEST_F(ListedSearchTest, OnlyTheServerThatWasAskedAnswersUnderItsKey) {
 TEST_F(ListedSearchTest, RefusesAddressesThatAreNotOfOneOtherMachine) {
   for (const char* const ip :
        {"0.0.0.0", "0.1.2.3", "224.0.0.1", "239.255.255.250", "255.255.255.255", "::", "ff02::1"})
-    EXPECT_EQ(add(1, ip), "its address is not one of a single machine") << ip;
+    EXPECT_EQ(add(1, ip), "its address is not that of a single machine") << ip;
   for (const char* const ip : {"127.0.0.1", "127.1.2.3", "::1"})
-    EXPECT_EQ(add(1, ip), "only a list of this machine may name this machine") << ip;
+    EXPECT_EQ(add(1, ip), "only a list on this machine may name this machine") << ip;
   ListedSearch ofThisMachine(
       network_.socket(own_), [] { return 1; }, true);
   for (const char* const ip : {"127.0.0.1", "127.1.2.3", "::1"}) EXPECT_EQ(add(ofThisMachine, 1, ip), "") << ip;
@@ -136,10 +136,11 @@ TEST_F(ListedSearchTest, AskedForOneMachineItAsksAtMost16Servers) {
   EXPECT_EQ(add(1, "198.51.100.1"), "another entry names this server");
   for (std::uint16_t port = 1; port < ListedSearch::kMaxPerHousehold; ++port)
     EXPECT_EQ(add(1, "198.51.100.1", port), "");
-  EXPECT_EQ(add(1, "198.51.100.1", 99), "the list has 16 others in its household");
+  EXPECT_EQ(add(1, "198.51.100.1", 99), "the list has 16 others at its address or in its IPv6 network");
   for (std::uint16_t i = 1; i <= ListedSearch::kMaxPerHousehold; ++i)
     EXPECT_EQ(add(1, "2001:db8::" + std::to_string(i)), "");
-  EXPECT_EQ(add(1, "2001:db8::ffff"), "the list has 16 others in its household") << "another address of 64 bits";
+  EXPECT_EQ(add(1, "2001:db8::ffff"), "the list has 16 others at its address or in its IPv6 network")
+      << "another address of 64 bits";
   EXPECT_EQ(add(1, "198.51.100.2"), "");
 }
 

@@ -180,7 +180,8 @@ TEST_F(ListedServersTest, NamesThatAreNotFoundInTimeAreLeftOut) {
   follow(servers, [&] { return !servers.list().empty(); });
   servers.update(now_ + ListedServers::kLookupTime);
   EXPECT_FALSE(servers.reading());
-  EXPECT_THAT(servers.faults(), ElementsAre("servers of the list are left out: their names were not found in time"));
+  EXPECT_THAT(servers.faults(),
+              ElementsAre("some servers of the list are left out: their names were not resolved in time"));
   open.set_value();
 }
 

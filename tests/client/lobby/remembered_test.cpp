@@ -88,8 +88,8 @@ TEST(KnownServers, ADamagedLineIsAnErrorThatNamesIt) {
     const std::string text = other + line + "\n";
     writeText(servers.file(), text);
     EXPECT_EQ(errorOf(servers), servers.file().string() +
-                                    ":2: error: damaged line, expected HOST:PORT KEY; correct or remove it. The key of "
-                                    "a server without a line is stored again when you join");
+                                    ":2: error: damaged line, expected HOST:PORT KEY; correct or remove it. If you "
+                                    "remove it, the key of the server is saved again when you join");
     servers.remember(kHere, CryptoKey{6});
     EXPECT_EQ(readText(servers.file()), text);
   }
@@ -98,8 +98,7 @@ TEST(KnownServers, ADamagedLineIsAnErrorThatNamesIt) {
 TEST(KnownServers, AFileThatCannotBeReadIsAnError) {
   const TemporaryFolder folder;
   const KnownServers servers(folder.path());
-  EXPECT_EQ(errorOf(servers),
-            folder.path().string() + ": error: Is a directory; make the file of the known servers readable");
+  EXPECT_EQ(errorOf(servers), folder.path().string() + ": error: Is a directory; make this file readable");
 }
 
 TEST(KnownServers, AFullDiskLeavesNoHalfLine) {
@@ -162,7 +161,7 @@ TEST(KnownServers, ALockThatAnotherProgramKeepsIsNamed) {
   const std::string path = servers.file().string();
   Process holder({"flock", path, "sh", "-c", "echo locked && exec sleep 60"});
   holder.waitForOutput("locked");
-  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "the key of the server is not kept: " + path +
+  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "cannot save the key of the server: " + path +
                                                        ": another program holds the lock on '" + path +
                                                        "'; end that program or remove the file");
   EXPECT_EQ(servers.find(kHere), std::nullopt);
@@ -172,7 +171,7 @@ TEST(KnownServers, ALinkIsFollowedToAFileAndMakesNone) {
   const TemporaryFolder folder;
   const KnownServers servers(folder / "known_servers");
   std::filesystem::create_symlink("elsewhere", servers.file());
-  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "the key of the server is not kept: " + servers.file().string() +
+  EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "cannot save the key of the server: " + servers.file().string() +
                                                        ": it is a symbolic link, not a regular file");
   EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
   writeText(folder / "elsewhere", "");
@@ -191,9 +190,9 @@ TEST(KnownServers, WhatIsNoRegularFileOrTooLargeIsAnError) {
     std::filesystem::remove(path);
   };
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  expectRefused("it is a pipe, not a regular file; make the file of the known servers readable");
+  expectRefused("it is a pipe, not a regular file; make this file readable");
   std::filesystem::create_symlink("/dev/zero", path);
-  expectRefused("it is a device, not a regular file; make the file of the known servers readable");
+  expectRefused("it is a device, not a regular file; make this file readable");
   writeText(path, std::string(std::size_t{1} << 20, '\n') + "\n");
   expectRefused("it has more than 1048576 bytes; remove lines that you do not need");
 }
@@ -314,7 +313,7 @@ TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
   std::filesystem::create_symlink(file_, file_);
   ReachedLevels levels(file_);
   EXPECT_EQ(levels.add(7),
-            "that the goal was reached is not kept: " + file_.string() + ": Too many levels of symbolic links");
+            "cannot save that the goal was reached: " + file_.string() + ": Too many levels of symbolic links");
   EXPECT_TRUE(levels.has(7)) << "until the program ends";
   EXPECT_EQ(levels.add(7), "") << "told once";
   EXPECT_TRUE(std::filesystem::is_symlink(file_));
@@ -323,7 +322,7 @@ TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
 TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
   writeText(folder_ / "data", "a file");
   EXPECT_EQ(ReachedLevels(file_).add(7),
-            "that the goal was reached is not kept: " + file_.string() + ": '" + file_.string() +
+            "cannot save that the goal was reached: " + file_.string() + ": '" + file_.string() +
                 ".lock' cannot be opened: Not a directory; remove it, and let the program write to its folder");
   EXPECT_EQ(ReachedLevels({}).add(7), "");
 }

@@ -193,7 +193,7 @@ TEST(RefusalText, SaysThatAPasswordOrTheKnownServerIsMissing) {
   EXPECT_NE(textFor({}).find("--password-file"), std::string::npos);
   EXPECT_NE(textFor({CryptoKey{1}}).find("known_servers"), std::string::npos);
   EXPECT_EQ(textFor({std::nullopt, Password("sesame")}, false),
-            "the server does not ask for a password: leave out --password-file if that is right");
+            "the server needs no password: join without one if that is right");
 }
 
 }  // namespace

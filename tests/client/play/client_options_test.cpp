@@ -117,8 +117,8 @@ TEST(ClientOptions, AFileInPlaceOfTheServerIsToldFromAServer) {
   EXPECT_EQ(fault({"my_room.level"}), "none") << "no such file: it may be a server";
   writeText(file, "");
   EXPECT_EQ(fault({file.c_str()}), "2 '" + file +
-                                       "' is a file, but a server is expected here; to play a level, add --level "
-                                       "before the file, to watch a recording --replay, to edit a level --edit");
+                                       "' is a file, but a server is expected here; put --level before a level to "
+                                       "play it, --edit to edit it, or --replay before a recording to watch it");
   EXPECT_EQ(fault({"--level", file.c_str()}), "none");
 }
 

@@ -246,7 +246,7 @@ TEST_F(FrontPagesTest, WithoutAFolderOfTheUserARaceOnAnotherLevelSaysSoAndWrites
   tap(Key::kArrowDown);
   tap(Key::kEnter);
   EXPECT_FALSE(started_);
-  EXPECT_TRUE(shows("There can be no race"));
+  EXPECT_TRUE(shows("The race cannot start"));
   EXPECT_TRUE(shows("XDG_CACHE_HOME"));
   EXPECT_FALSE(std::filesystem::exists("raced"));
   const std::string file = folder_ / "file";

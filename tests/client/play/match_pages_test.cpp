@@ -61,7 +61,7 @@ TEST_F(MatchPagesTest, ThePauseOfAPlayerWhoIsAloneLeadsToTheNextLevel) {
   EXPECT_TRUE(shows("Next level"));
   EXPECT_FALSE(shows("The game goes on"));
   EXPECT_FALSE(shows("Watch")) << "there is no run";
-  EXPECT_FALSE(shows("Say")) << "nobody would hear it";
+  EXPECT_FALSE(shows("Talk")) << "nobody would hear it";
 }
 
 // Before, it skipped the level at once, while V asks.
@@ -125,7 +125,7 @@ TEST_F(MatchPagesTest, WithOthersAGamepadThatIsUnpluggedStopsNoGameAndThePauseLe
   pages_.showPause(*match_);
   for (int row = 0; row < 3; ++row) tap(Key::kPadDown);
   tap(Key::kPadA);
-  EXPECT_TRUE(shows("Say to all players"));
+  EXPECT_TRUE(shows("Talk to all players"));
   other.leave();
 }
 

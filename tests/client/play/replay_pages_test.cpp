@@ -119,10 +119,10 @@ TEST_F(ReplayPagesTest, WhyThereCanBeNoRaceIsSaidOnThePage) {
   tap(Key::kArrowDown);
   noRace_ = "the disk is full";
   tap(Key::kEnter);
-  EXPECT_TRUE(shows("There can be no race: the disk is full."));
+  EXPECT_TRUE(shows("The race cannot start: the disk is full."));
   noRace_.clear();
   tap(Key::kEnter);
-  EXPECT_FALSE(shows("There can be no race"));
+  EXPECT_FALSE(shows("The race cannot start"));
 }
 
 TEST_F(ReplayPagesTest, ARecordingFromElsewhereIsKeptAsAGhost) {

@@ -171,17 +171,17 @@ TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhos
            before = confirmed();
            xdotool("key Escape");
          },
-         [&] { return shows("Leave to the title") && confirmed() > before + 60; }},
+         [&] { return shows("Return to the title") && confirmed() > before + 60; }},
         {[] { xdotool("key Escape"); }, [this] { return inGame(); }},
         {[] { xdotool("key r"); }, [this] { return timer() == 0U; }},
         {[] { xdotool("keydown Right"); }, [this] { return timer() > 30U; }},
         {[] { xdotool("keyup Right"); }, [&] { return confirmed() > 8 * kTicksPerSecond; }},
-        {[] { xdotool("key Escape"); }, [this] { return shows("Leave to the title"); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Return to the title"); }},
         {[&] {
            EXPECT_EQ(round()->statistics().desyncs, 0U);
            before = confirmed();
            hash = round()->prediction().confirmed().hash();
-           clickOn("Leave to the title");
+           clickOn("Return to the title");
          },
          [this] { return match() == nullptr; }}});
   ASSERT_TRUE(stepsDone_);
@@ -215,7 +215,7 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
         {[this] { clickOn("Join a server"); }, [&] { return meanwhile(shows("Address")); }},
         {[&] { xdotool("type " + address); }, [&] { return meanwhile(true); }},
         {[this] { clickOn("Join"); }, [&] { return meanwhile(server.players() == 2 && isOnGround() && inGame()); }},
-        {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Say")); }},
+        {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Talk")); }},
         {[] { xdotool("type hello"); }, [&] { return meanwhile(true); }},
         {[] { xdotool("key Return"); }, [&] { return meanwhile(hears(grace, ": hello") && inGame()); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Wave")); }},
@@ -226,8 +226,8 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
          [&] { return meanwhile(hears(*match(), "Grace: well done")); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(notes("Grace: well done")); }},
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(inGame()); }},
-        {[] { xdotool("key Escape"); }, [&] { return meanwhile(shows("Leave to the title")); }},
-        {[this] { clickOn("Leave to the title"); },
+        {[] { xdotool("key Escape"); }, [&] { return meanwhile(shows("Return to the title")); }},
+        {[this] { clickOn("Return to the title"); },
          [&] { return meanwhile(match() == nullptr && server.players() == 1); }}});
   EXPECT_TRUE(stepsDone_);
 }
@@ -246,7 +246,7 @@ TEST_F(WindowMatchTest, WhoJoinsEndsTheReplayInFrontOfTheGame) {
         {join,
          [&] {
            update();
-           return !match()->alone() && replay() == nullptr && shows("Leave to the title");
+           return !match()->alone() && replay() == nullptr && shows("Return to the title");
          }},
         {[] {}, [this] { return !shows("Watch your best run") && !match()->paused(); }}});
   EXPECT_TRUE(stepsDone_);
@@ -262,8 +262,8 @@ TEST_F(WindowMatchTest, ARecordingIsRacedAndAPictureIsKept) {
         {[this] { clickOn("Race against it"); }, [this] { return inGame() && isOnGround() == std::optional(true); }},
         {[] { xdotool("key F12"); }, [this] { return std::filesystem::exists(folder_ / "pictures"); }},
         {[] {}, [this] { return !std::filesystem::is_empty(folder_ / "pictures"); }},
-        {[] { xdotool("key Escape"); }, [this] { return shows("Leave to the title"); }},
-        {[this] { clickOn("Leave to the title"); }, [this] { return shows("Quit"); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Return to the title"); }},
+        {[this] { clickOn("Return to the title"); }, [this] { return shows("Quit"); }},
         {[&] {
            quits = true;
            clickOn("Quit");

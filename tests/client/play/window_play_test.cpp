@@ -243,8 +243,9 @@ TEST_F(WindowPlayTest, TheTitleTellsThatLinesOfTheSettingsAreInvalid) {
   writeText(file, "key jump spcae\n");
   play({{[] {},
          [&] {
-           return shows("Quit") &&
-                  desk_->told() == "1 line of " + file + " is invalid; the old file is kept as " + file + ".broken";
+           return shows("Quit") && desk_->told() == "1 line of " + file +
+                                                        " is invalid; the next save keeps the old file as " + file +
+                                                        ".broken";
          }}});
   EXPECT_TRUE(stepsDone_);
   EXPECT_EQ(readText(file + ".broken"), "key jump spcae\n");

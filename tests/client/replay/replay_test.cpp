@@ -144,9 +144,8 @@ TEST(Replay, PlaysARecordingFromTheMiddleOfARound) {
 
 TEST(Replay, OlderRulesAreRefusedWithTheirVersion) {
   EXPECT_EQ(faultOf(asOfOlderRules(recordGame(10, 60).recording, *recordedLevel())),
-            "was recorded by version " + std::to_string(kRulesVersion - 1) +
-                " of the rules; this program has version " + std::to_string(kRulesVersion) +
-                " and cannot play it, so it is kept as it is");
+            "was recorded with version " + std::to_string(kRulesVersion - 1) +
+                " of the rules; this program has version " + std::to_string(kRulesVersion) + " and cannot play it");
 }
 
 TEST(Replay, EveryDamageIsRefused) {
@@ -180,7 +179,8 @@ TEST(Replay, ARecordingOfAnotherGameIsRefused) {
   after.advance({});
   forged.setState(after.save());
   forged.addBlock(1, 0, 0, {});
-  EXPECT_EQ(faultOf(forged.bytes()), "is a damaged recording: it does not give the recorded game at tick 1");
+  EXPECT_EQ(faultOf(forged.bytes()),
+            "is a damaged recording: playing it does not lead to the recorded state at tick 1");
   ForgedRecording late(game);
   late.addBlock(5, 0, 0, {});
   EXPECT_EQ(faultOf(late.bytes()), "is a damaged recording: its first state is not valid on its level");

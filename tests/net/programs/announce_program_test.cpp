@@ -106,7 +106,7 @@ TEST_F(AnnounceProgramTest, AServerIsListedUnderItsNameUntilItDrains) {
   const ProcessResult last = list();
   EXPECT_EQ(last.exitCode, 0);
   EXPECT_EQ(last.output, "");
-  EXPECT_EQ(last.errors, "platon-client: no server of the list answers\n");
+  EXPECT_EQ(last.errors, "platon-client: no server in the list answers\n");
   stopServer();
 }
 

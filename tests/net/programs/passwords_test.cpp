@@ -74,7 +74,7 @@ TEST_F(Passwords, WithoutOneTheBotsAreToldWhatToDo) {
 TEST_F(Passwords, AServerThatDoesNotAskForOneIsNotJoined) {
   startServer();
   expectRefusal(runBots({"--password-file", file("sesame")}),
-                address() + ": the server does not ask for a password: leave out --password-file if that is right");
+                address() + ": the server needs no password: join without one if that is right");
   expectNobodyJoined();
 }
 

@@ -29,7 +29,7 @@ TEST_F(HostPage, ChoosesALevelRoundTheList) {
 TEST_F(HostPage, PlaysOnOrTheSameAgain) {
   EXPECT_EQ(page().items[1].value, "the next levels");
   page().items[1].step(1);
-  EXPECT_EQ(page().items[1].value, "the same again");
+  EXPECT_EQ(page().items[1].value, "the same level");
   EXPECT_TRUE(form_.onlyLevel);
   EXPECT_FALSE(page().items[1].repeats()) << "a key that is held would go back and forth";
 }

@@ -38,7 +38,7 @@ TEST(PausePage, WithOthersThePlayerCanSaySomethingWithoutAKeyboard) {
   choices.sayKey = "T";
   const MenuPage page = pausePage(choices);
   ASSERT_EQ(page.items.size(), 6U);
-  EXPECT_EQ(page.items[3].name, "Say");
+  EXPECT_EQ(page.items[3].name, "Talk");
   EXPECT_EQ(page.items[3].value, "T");
   page.items[3].choose();
   EXPECT_TRUE(says);

@@ -80,7 +80,7 @@ TEST(SettingItems, TheLevelsOfQualityAreInOrder) {
     step("quality", settings, 1);
     EXPECT_EQ(settings.quality.level, level);
   }
-  EXPECT_EQ(itemOf("quality", settings).value, "everything on");
+  EXPECT_EQ(itemOf("quality", settings).value, "highest");
   step("quality", settings, -1, 9);
   EXPECT_EQ(itemOf("quality", settings).value, "low");
 }

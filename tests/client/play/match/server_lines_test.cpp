@@ -52,7 +52,7 @@ TEST_F(ServerLinesTest, TheNumberIsToldTenSecondsAfterTheFirst) {
   lines_.update(now_ + seconds(10) - Moment(1));
   EXPECT_EQ(printed_.size(), 10u);
   lines_.update(now_ + seconds(10));
-  EXPECT_EQ(printed_.back(), "1 line about the server left out: it causes too many");
+  EXPECT_EQ(printed_.back(), "1 line about the server left out: there were too many");
   lines_.update(now_ + seconds(30));
   lines_.tell();
   EXPECT_EQ(printed_.size(), 11u) << "once";

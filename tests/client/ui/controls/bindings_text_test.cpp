@@ -71,7 +71,7 @@ TEST(BindingsText, BadLinesAreReportedAndLeaveTheKeysAsTheyWere) {
     EXPECT_EQ(result.settings.bindings, Bindings()) << words;
   }
   const SettingsResult twice = parseSettings("key jump x\nkey vote v x\n");
-  EXPECT_EQ(twice.errors, Words{"line 2: key vote must not have x, which jump has"});
+  EXPECT_EQ(twice.errors, Words{"line 2: key vote must not use x, which jump already uses"});
   EXPECT_EQ(twice.settings.bindings.controlOf(Key::kV), Control::kVote);
 }
 

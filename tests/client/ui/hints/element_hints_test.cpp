@@ -93,7 +93,7 @@ TEST(ElementHints, WaitsUntilTheBallIsPlayed) {
   ElementHints hints;
   UntoldElements untold;
   for (std::uint32_t tick = 0; tick < 2 * kTurnTicks; ++tick) hints.observe(PlayerState(), ballOn(0), elements, untold);
-  EXPECT_EQ(hints.hint(), "The doors with the number of a plate are open while somebody stands on it");
+  EXPECT_EQ(hints.hint(), "While somebody stands on a plate, the doors with its number are open");
   EXPECT_EQ(untold, UntoldElements());
 }
 
@@ -124,8 +124,9 @@ TEST(ElementHints, ThatOfUpSaysWhenItBlocks) {
   ElementHints hints;
   UntoldElements untold;
   play(hints, elementsOf({ElementKind::kUp}), untold, 1);
-  EXPECT_EQ(hints.hint(),
-            "A block is filled and solid while its arrow points to the top edge of the face, or the left one of two");
+  EXPECT_EQ(
+      hints.hint(),
+      "A block is filled and solid while its arrow points to the top edge of the face, or the left of two top edges");
   for (const int edges : {3, 4, 5}) {
     for (int degrees = 0; degrees < 360; ++degrees) {
       Element element;

@@ -31,15 +31,15 @@ class FirstKeysTest : public testing::Test {
 
 TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   play(0, 60);
-  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll");
+  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: run");
   play(Input::kRight, 10);
-  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll") << "the ball has hardly moved";
+  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: run") << "the ball has hardly moved";
   play(Input::kRight, 20);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump higher");
   play(Input::kJump, 60);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge, to the next face");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Run over the edge to the next face");
   play(0, 600);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge, to the next face");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Run over the edge to the next face");
   play(Input::kRight, 120);
   EXPECT_EQ(keys_.hint(KeyHints()), "After an edge an arrow shows where down is now: a wall may become a floor");
   play(0, 5 * kTicksPerSecond);
@@ -54,7 +54,7 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
 
 TEST_F(FirstKeysTest, WhoHasCrossedAnEdgeBeforeIsNotToldHow) {
   play(Input::kRight, 120);
-  ASSERT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+  ASSERT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump higher");
   play(Input::kRestart, 1);
   play(0, 30);
   play(Input::kJump, 60);
@@ -63,7 +63,7 @@ TEST_F(FirstKeysTest, WhoHasCrossedAnEdgeBeforeIsNotToldHow) {
 
 TEST_F(FirstKeysTest, AKeyThatMovesNothingIsNotEnough) {
   play(Input::kLeft | Input::kRight, 120);
-  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll");
+  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: run");
 }
 
 TEST_F(FirstKeysTest, ATappedJumpIsNotEnough) {
@@ -73,7 +73,7 @@ TEST_F(FirstKeysTest, ATappedJumpIsNotEnough) {
     play(Input::kJump, 2);
     play(0, 60);
   }
-  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump higher");
 }
 
 TEST_F(FirstKeysTest, WhoPushesAgainstAWallIsToldHowToReturn) {
@@ -94,7 +94,7 @@ TEST_F(FirstKeysTest, WhoPushesAgainstAWallIsToldHowToReturn) {
 TEST_F(FirstKeysTest, WhoPushesAgainstAStepAndHasNotJumpedIsToldToJump) {
   play(Input::kRight, 30);
   play(Input::kLeft, 400);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump higher");
 }
 
 TEST_F(FirstKeysTest, NobodyIsStuckAtTheBeginningOfALevel) {
@@ -111,7 +111,7 @@ TEST_F(FirstKeysTest, NamesTheChosenKeys) {
   Bindings bindings;
   bindings.bind(Control::kJump, Key::kJ);
   play(Input::kRight, 30);
-  EXPECT_EQ(keys_.hint(KeyHints(bindings)), "J: jump. Hold it to jump high");
+  EXPECT_EQ(keys_.hint(KeyHints(bindings)), "J: jump. Hold it to jump higher");
 }
 
 TEST_F(FirstKeysTest, WhoKnowsThemSeesNone) {
