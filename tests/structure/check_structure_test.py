@@ -183,9 +183,9 @@ class Purity(Tree):
             return f"class {name} {{\n  Worker<int> worker_;\n}};\n"
 
         head = "#pragma once\n"
-        self.assert_allowed("client/play/replay_screen.h", head + owner("ReplayScreen"))
+        self.assert_allowed("client/play/replay_screen.h", head + owner("ReplayPlay"))
         self.assert_refused("client/play/hidden_work.h", head + owner("HiddenWork"), 3, "HiddenWork has a worker")
-        self.assert_refused("client/play/work.h", head + owner("ReplayScreen") + owner("HiddenWork"), 6, "HiddenWork has")
+        self.assert_refused("client/play/work.h", head + owner("ReplayPlay") + owner("HiddenWork"), 6, "HiddenWork has")
 
     def test_code_after_a_tricky_literal_is_still_read(self):
         for literal in ("'\"'", '"\\\\"', '"/*"', 'R"x(")x"', "1'000'000"):
