@@ -12,7 +12,7 @@
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 #include "server/app/level_files.h"
-#include "server/times/best_time_store.h"
+#include "server/times/best_times.h"
 
 namespace platon {
 namespace {

@@ -8,18 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "server/admin/ban_list.h"
-#include "server/app/ban_notices.h"
+#include "server/admin/bans.h"
 #include "server/app/log.h"
-#include "server/app/recent_tick_times.h"
 #include "server/app/recording_writer.h"
-#include "server/app/tick_clock.h"
-#include "server/app/tick_times.h"
+#include "server/app/ticks.h"
 #include "server/match/level_rotation.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
 #include "server/net/time_point.h"
-#include "server/times/best_time_store.h"
+#include "server/times/best_times.h"
 
 namespace platon {
 

@@ -1,10 +1,10 @@
 #include "server/app/log.h"
 
+#include <cassert>
+#include <chrono>
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <cassert>
-
-#include <chrono>
 
 #include "protocol/json_text.h"
 

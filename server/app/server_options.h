@@ -11,7 +11,7 @@
 
 namespace platon {
 
-/// Options of the server, from command line and configuration file. server/program/option_table.h describes each.
+/// Options of the server, from command line and configuration file. server/program/options.h describes each.
 struct ServerOptions {
   std::vector<std::string> levels;  ///< files; empty: the levels of the game
   std::string bind = "::";

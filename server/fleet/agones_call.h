@@ -1,12 +1,22 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "server/net/time_point.h"
+
 namespace platon {
+
+/// Environment variable with the TCP port of the sidecar, which Agones sets.
+inline constexpr const char* kAgonesPortVariable = "AGONES_SDK_HTTP_PORT";
+
+/// The port in a value of this variable; null or empty: none. Throws ProgramError (kUsage) if it is no port.
+std::optional<std::uint16_t> agonesPortOf(const char* value);
 
 /// What the server tells Agones, or asks it, through the process that Agones runs beside it, its sidecar.
 enum class AgonesCall : std::uint8_t {
@@ -48,5 +58,19 @@ std::optional<std::string> lastAllocation(std::string_view body);
 /// The status of a response of HTTP/1.0 or HTTP/1.1, 100 … 999, once its first line has arrived. 0: the line is none.
 /// Nothing: the line is incomplete.
 std::optional<int> statusOf(std::string_view received);
+
+/// How much of an answer is waited for.
+enum class LoopbackPart : std::uint8_t { kStatus, kBody };
+
+/// What a program on this machine has answered.
+struct LoopbackAnswer {
+  std::optional<std::string> fault;  ///< what went wrong; nothing if the status is 200
+  std::string body{};                ///< if it was waited for: what follows the head, until the connection was closed
+};
+
+/// Sends a request over HTTP to a program on this machine, on its loopback address of IPv4 or else of IPv6, and waits
+/// for this part of the answer, for at most `limit`. An answer has at most 1 MiB.
+LoopbackAnswer sendOverLoopback(std::string request, std::uint16_t port, LoopbackPart part,
+                                std::chrono::milliseconds limit, const std::function<TimePoint()>& clock);
 
 }  // namespace platon

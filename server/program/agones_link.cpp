@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "server/fleet/loopback_http.h"
+#include "server/fleet/agones_call.h"
 
 namespace platon {
 namespace {

@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "protocol/program_options.h"
-#include "server/program/config_file.h"
-#include "server/program/option_table.h"
+#include "server/program/options.h"
 
 namespace platon {
 namespace {

@@ -8,12 +8,12 @@
 #include "protocol/transport/secret_file.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/admin/announcement.h"
-#include "server/admin/ban_store.h"
+#include "server/admin/bans.h"
 #include "server/admin/console_socket.h"
-#include "server/admin/metrics_server.h"
+#include "server/admin/metrics.h"
 #include "server/admin/stream_socket.h"
 #include "server/app/level_files.h"
-#include "server/times/best_time_store.h"
+#include "server/times/best_times.h"
 
 namespace platon {
 namespace {

@@ -9,12 +9,11 @@
 #include <string>
 
 #include "protocol/program_error.h"
-#include "server/admin/console_client.h"
 #include "server/admin/console_socket.h"
 #include "server/program/async_line_writer.h"
 #include "server/program/command_line.h"
 #include "server/program/config_check.h"
-#include "server/program/option_table.h"
+#include "server/program/options.h"
 #include "server/program/server_program.h"
 
 namespace platon {

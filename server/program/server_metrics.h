@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "server/admin/metrics_text.h"
+#include "server/admin/metrics.h"
 #include "server/app/dedicated_server.h"
 #include "server/base/utc_time.h"
 

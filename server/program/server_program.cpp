@@ -8,12 +8,11 @@
 
 #include "protocol/program_error.h"
 #include "protocol/transport/secret_file.h"
-#include "server/admin/enforce_bans.h"
+#include "server/admin/bans.h"
 #include "server/app/identity_file.h"
 #include "server/app/level_files.h"
-#include "server/fleet/agones_port.h"
-#include "server/program/byte_size.h"
-#include "server/program/option_table.h"
+#include "server/fleet/agones_call.h"
+#include "server/program/options.h"
 #include "server/program/server_metrics.h"
 
 namespace platon {

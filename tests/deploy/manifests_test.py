@@ -150,7 +150,7 @@ def constants_of(root):
     cells = [cell.strip() for cell in row.split("|")]
     return {
         "kRoundTicks": number("shared/include/platon/game/game.h", r"kRoundTicks = (\d+) \* 60") * 60 * 60,
-        "kHealthInterval": number("server/fleet/agones_schedule.h", r"kHealthInterval\{(\d+)\}"),
+        "kHealthInterval": number("server/fleet/agones_reporter.h", r"kHealthInterval\{(\d+)\}"),
         "job": re.search(r'up\{job="(\w+)"\}', (root / RULES).read_text(encoding="utf-8"))[1],
         "version": re.search(r"project\(platon VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8"))[1],
         "cpu": float(cells[5]),

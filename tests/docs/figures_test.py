@@ -216,7 +216,7 @@ def grace(sources):
 PLAYER = "shared/include/platon/game/player_motion.h"
 STEP = "shared/physics/step/entity_step.h"
 LIMITS = "protocol/limits.h"
-SCHEDULE = "server/fleet/agones_schedule.h"
+SCHEDULE = "server/fleet/agones_reporter.h"
 LINK = "server/program/agones_link.cpp"
 FLEET = "deploy/agones/fleet.yaml"
 EMPTY = constant(SCHEDULE, "kEmptyTime")

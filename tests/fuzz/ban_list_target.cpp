@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "server/admin/ban_list.h"
+#include "server/admin/bans.h"
 #include "tests/fuzz/error_faults.h"
 #include "tests/fuzz/fuzz_targets.h"
 

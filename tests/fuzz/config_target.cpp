@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "server/program/config_file.h"
-#include "server/program/option_table.h"
+#include "server/program/options.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {

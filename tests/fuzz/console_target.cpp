@@ -3,11 +3,10 @@
 
 #include "protocol/label.h"
 #include "protocol/limits.h"
-#include "server/admin/ban_list.h"
-#include "server/admin/console_command.h"
-#include "server/admin/console_reply.h"
-#include "server/admin/http.h"
-#include "server/base/line_buffer.h"
+#include "server/admin/bans.h"
+#include "server/admin/console.h"
+#include "server/admin/console_socket.h"
+#include "server/admin/metrics.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
 

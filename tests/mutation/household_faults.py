@@ -49,7 +49,7 @@ HOUSEHOLD_FAULTS = [
               "std::uint64_t number = holdsIpv4() ? 0xffff : 0;\n  const std::size_t first = isIpv4()",
               "all IPv4 players of a server behind a translator are one household",
               "IpAddress.AnAddressThatATranslatorMakesOfAnIpv4AddressCountsAsThisOne"),
-    at_length("ban-of-all-translated-addresses", "server/admin/address_range.cpp",
+    at_length("ban-of-all-translated-addresses", "server/admin/bans.cpp",
               "address.holdsIpv4() ? kBits : kHouseholdBits", "address.isIpv4() ? kBits : kHouseholdBits",
               "the ban of one player bans all whose addresses are translated",
               "AddressRange.TheHouseholdOfATranslatedAddressIsThisOne"),

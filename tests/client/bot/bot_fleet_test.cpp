@@ -8,7 +8,7 @@
 
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
-#include "server/app/tick_clock.h"
+#include "server/app/ticks.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
 #include "tests/sim/verify/verification.h"

@@ -7,7 +7,7 @@
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/transport/server_address.h"
-#include "server/times/best_time_store.h"
+#include "server/times/best_times.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/server_fixture.h"

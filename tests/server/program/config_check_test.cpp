@@ -9,7 +9,7 @@
 #include "protocol/transport/secret_file.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/admin/console_socket.h"
-#include "server/admin/metrics_server.h"
+#include "server/admin/metrics.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"

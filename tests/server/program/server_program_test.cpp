@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "protocol/transport/system_address.h"
-#include "server/program/option_table.h"
+#include "server/program/options.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <new>
 
-#include "server/times/best_time_store.h"
+#include "server/times/best_times.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/run/repetitions.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "server/app/tick_times.h"
+#include "server/app/ticks.h"
 
 #include <algorithm>
 #include <bit>

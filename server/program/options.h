@@ -13,6 +13,10 @@
 
 namespace platon {
 
+/// Reads a number of bytes: a whole number from 1 on, which K, M or G may follow for KiB, MiB or GiB. Nothing if the
+/// text is anything else, or the number does not fit 64 bits.
+std::optional<std::uint64_t> parseByteSize(std::string_view text);
+
 /// An option of the server. Command line, configuration file, `--print-config` and the reload all follow this
 /// description.
 struct ServerOption {
@@ -52,5 +56,13 @@ std::optional<ParseError> setOption(const ServerOption& option, const std::strin
 
 /// What `--print-config` prints: a configuration file in which every option has its default and a comment.
 std::string printedConfig();
+
+/// Reads the text of a configuration file (docs/hosting.md) into `options`; options that it does not contain, or
+/// contains with an error, keep their values. Paths are relative to the folder of `file`. Returns all errors, each as
+/// `file:line:column: error: …`, in the order of the text.
+std::vector<std::string> readConfig(std::string_view text, const std::string& file, ServerOptions& options);
+
+/// The same for a file. An error is also that the file cannot be read.
+std::vector<std::string> readConfigFile(const std::string& path, ServerOptions& options);
 
 }  // namespace platon

@@ -1,15 +1,109 @@
-#include "server/admin/metrics_server.h"
+#include "server/admin/metrics.h"
+
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "protocol/program_error.h"
 #include "protocol/transport/system_address.h"
-#include "server/admin/http.h"
 #include "server/admin/stream_socket.h"
+#include "tests/server/metrics_reader.h"
 #include "tests/support/wait_until.h"
 
-namespace platon::metrics_server_test {
+namespace platon::metrics_test {
 namespace {
+
+TEST(MetricsText, IsInTheFormatOfPrometheus) {
+  const std::vector<Metric> metrics{
+      {"platon_info",
+       "gauge",
+       "Name.",
+       {{"1", {{"version", "0.1.0"}, {"name", "Our \"best\" \\server\\\nof all, Zoë"}}, {}}}},
+      {"platon_tick_seconds",
+       "summary",
+       "Ticks.",
+       {{secondsText(99), {{"quantile", "0.5"}}, {}},
+        {secondsText(3'600'000'001), {}, "_sum"},
+        {"1000", {}, "_count"}}},
+      {"platon_sent_bytes_total", "counter", "Bytes.", {{"18446744073709551615", {}, {}}}}};
+  const MetricsReader text(formatMetrics(metrics));
+  EXPECT_EQ(text.types,
+            (std::map<std::string, std::string>{
+                {"platon_info", "gauge"}, {"platon_tick_seconds", "summary"}, {"platon_sent_bytes_total", "counter"}}));
+  EXPECT_EQ(text.helps.at("platon_info"), "Name.");
+  EXPECT_EQ(text.values, (std::map<std::string, std::string>{
+                             {R"(platon_info{version="0.1.0",name="Our \"best\" \\server\\\nof all, Zoë"})", "1"},
+                             {R"(platon_tick_seconds{quantile="0.5"})", "0.000099"},
+                             {"platon_tick_seconds_sum", "3600.000001"},
+                             {"platon_tick_seconds_count", "1000"},
+                             {"platon_sent_bytes_total", "18446744073709551615"}}));
+}
+
+TEST(MetricsText, SecondsAreExact) {
+  EXPECT_EQ(secondsText(0), "0.000000");
+  EXPECT_EQ(secondsText(1'234'567), "1.234567");
+  EXPECT_EQ(secondsText(18'446'744'073'709'551'615u), "18446744073709.551615");
+}
+
+std::optional<HttpStatus> answer(const std::string& received) { return answerTo(received, "/metrics"); }
+
+TEST(Http, AnswersTheOnePage) {
+  EXPECT_EQ(answer("GET /metrics HTTP/1.1\r\nHost: a\r\n\r\n"), HttpStatus::kOk);
+  EXPECT_EQ(answer("GET /metrics HTTP/1.0\r\n\r\n"), HttpStatus::kOk);
+  EXPECT_EQ(answer("GET /metrics?x=/y HTTP/1.1\r\n\r\n"), HttpStatus::kOk);
+}
+
+TEST(Http, WaitsForTheWholeHead) {
+  const std::string request = "GET /metrics HTTP/1.1\r\nHost: a\r\n\r\n";
+  for (std::size_t length = 0; length < request.size(); ++length)
+    EXPECT_EQ(answer(request.substr(0, length)), std::nullopt);
+}
+
+TEST(Http, RefusesEverythingElse) {
+  EXPECT_EQ(answer("GET / HTTP/1.1\r\n\r\n"), HttpStatus::kNotFound);
+  EXPECT_EQ(answer("GET /metrics/ HTTP/1.1\r\n\r\n"), HttpStatus::kNotFound);
+  EXPECT_EQ(answer("POST /other HTTP/1.1\r\n\r\n"), HttpStatus::kNotFound);
+  EXPECT_EQ(answer("POST /metrics HTTP/1.1\r\n\r\nabc"), HttpStatus::kMethodNotAllowed);
+  EXPECT_EQ(answer("HEAD /metrics HTTP/1.1\r\n\r\n"), HttpStatus::kMethodNotAllowed);
+  for (const char* line : {"", "GET", "GET /metrics", "GET  HTTP/1.1", "GET /metrics HTTP/2.0", "GET metrics HTTP/1.1",
+                           "get /metrics HTTP/1.1", "GET /metrics  HTTP/1.1", "GET /metrics x HTTP/1.1",
+                           "GET /met\x01rics HTTP/1.1", "GET /metrics\xc3\xaf HTTP/1.1", "G\tET /metrics HTTP/1.1"}) {
+    EXPECT_EQ(answer(std::string(line) + "\r\n\r\n"), HttpStatus::kBadRequest) << line;
+  }
+}
+
+TEST(Http, RefusesAHeadThatIsTooLong) {
+  const auto head = [](std::size_t bytes) { return "GET /metrics HTTP/1.1\r\nX: " + std::string(bytes - 26, 'x'); };
+  EXPECT_EQ(answer(head(kMaxHttpHeadBytes)), std::nullopt);
+  EXPECT_EQ(answer(head(kMaxHttpHeadBytes) + "\r\n\r\n"), HttpStatus::kOk);
+  EXPECT_EQ(answer(head(kMaxHttpHeadBytes + 1) + "\r\n\r\n"), HttpStatus::kHeadTooLarge);
+  EXPECT_EQ(answer(head(kMaxHttpHeadBytes + 5)), HttpStatus::kHeadTooLarge);
+}
+
+TEST(Http, EveryCompleteHeadHasAnAnswer) {
+  const std::string bytes = "GET /metrics HTTP/1.\r\n ?x\x80";
+  std::mt19937 random(3);
+  for (int i = 0; i < 20000; ++i) {
+    std::string request;
+    for (std::size_t length = random() % 40; length > 0; --length) request += bytes[random() % bytes.size()];
+    EXPECT_TRUE(answer(request + "\r\n\r\n").has_value());
+  }
+}
+
+TEST(Http, AResponseSaysHowLongItIs) {
+  EXPECT_EQ(
+      httpResponse(HttpStatus::kOk, "text/plain; version=0.0.4", "abc\n"),
+      "HTTP/1.1 200 OK\r\nContent-Type: text/plain; version=0.0.4\r\nContent-Length: 4\r\nConnection: close\r\n\r\n"
+      "abc\n");
+  EXPECT_EQ(httpResponse(HttpStatus::kNotFound, "x", "y"),
+            "HTTP/1.1 404 Not Found\r\nContent-Type: text/plain\r\nContent-Length: 10\r\nConnection: close\r\n\r\n"
+            "Not Found\n");
+  EXPECT_NE(httpResponse(HttpStatus::kMethodNotAllowed, "x", "y").find("405 Method Not Allowed\r\nAllow: GET\r\n"),
+            std::string::npos);
+}
 
 using namespace std::chrono_literals;
 
@@ -210,4 +304,4 @@ TEST(MetricsServer, SaysWhyItCannotListen) {
 }
 
 }  // namespace
-}  // namespace platon::metrics_server_test
+}  // namespace platon::metrics_test

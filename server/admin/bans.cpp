@@ -1,12 +1,71 @@
-#include "server/admin/ban_list.h"
+#include "server/admin/bans.h"
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <utility>
 
+#include "platon/game/diagnostics.h"
+#include "protocol/files/text_file.h"
 #include "protocol/files/word_reader.h"
 #include "protocol/label.h"
 
 namespace platon {
+namespace {
+
+constexpr unsigned kHouseholdBits = 64;
+
+std::optional<IpAddress> addressOf(std::string_view text) {
+  return text.find('\0') == std::string_view::npos ? IpAddress::parse(text) : std::nullopt;
+}
+
+// The address with all bits but the first `bits` cleared.
+IpAddress masked(IpAddress address, unsigned bits) {
+  for (unsigned i = 0; i < address.bytes.size(); ++i) {
+    const unsigned kept = bits > 8 * i ? std::min(bits - 8 * i, 8u) : 0;
+    address.bytes[i] = static_cast<std::uint8_t>(address.bytes[i] & (0xff00u >> kept));
+  }
+  return address;
+}
+
+}  // namespace
+
+AddressRange AddressRange::around(const IpAddress& address, unsigned bits) { return {masked(address, bits), bits}; }
+
+AddressRange AddressRange::householdOf(const IpAddress& address) {
+  return around(address, address.holdsIpv4() ? kBits : kHouseholdBits);
+}
+
+std::variant<AddressRange, ParseError> AddressRange::parse(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto address = addressOf(text.substr(0, slash));
+  if (!address) {
+    return ParseError{quoted(text) + " is not an address or a range of addresses, such as 192.0.2.7 or 2001:db8::/32"};
+  }
+  if (slash == std::string_view::npos) return AddressRange(*address);
+  const std::string_view number = text.substr(slash + 1);
+  const bool dotted = text.find(':') == std::string_view::npos;
+  const unsigned most = dotted ? kBits - kIpv4Bits : kBits;
+  unsigned bits = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), bits);
+  if (error != std::errc() || end != number.data() + number.size() || bits > most) {
+    return ParseError{"the number after the / of " + quoted(text) + " must be 0 to " + std::to_string(most)};
+  }
+  if (dotted) bits += kIpv4Bits;
+  const AddressRange range = around(*address, bits);
+  if (range.first_ == *address) return range;
+  return ParseError{quoted(text) + " has bits after its first " + std::string(number) + ": write " + range.text()};
+}
+
+std::string AddressRange::text() const {
+  if (bits_ == kBits) return first_.text();
+  return first_.text() + "/" + std::to_string(first_.isIpv4() ? bits_ - kIpv4Bits : bits_);
+}
+
+bool AddressRange::contains(const IpAddress& address) const {
+  return address.isIpv4() == first_.isIpv4() && masked(address, bits_) == first_;
+}
+
 namespace {
 
 constexpr std::string_view kUntil = "until";
@@ -159,6 +218,88 @@ bool BanList::removeIf(const std::function<bool(const Ban&)>& condition) {
     lengths_.insert(lines_[number].ban->range.bits());
   }
   return true;
+}
+
+namespace {
+
+// Longest line of a ban that the server adds.
+constexpr std::size_t kMaxBanBytes = 256;
+
+}  // namespace
+
+std::variant<BanList, std::vector<std::string>> readBanFile(const std::string& path) {
+  auto text = readTextFile(path, BanList::kMaxBytes);
+  if (const auto* error = std::get_if<ParseError>(&text)) {
+    return std::vector{path + ": error: " + error->what + "; name a readable ban file; it may be empty"};
+  }
+  auto parsed = BanList::parse(std::get<std::string>(text));
+  if (auto* list = std::get_if<BanList>(&parsed)) return std::move(*list);
+  std::vector<std::string> errors;
+  for (const Diagnostic& one : std::get<std::vector<Diagnostic>>(parsed)) errors.push_back(format(path, one));
+  return errors;
+}
+
+BanStore::BanStore(const std::string& path, BanList list)
+    : path_(path), file_(std::make_unique<FileWriter>(path)), list_(std::move(list)) {}
+
+std::optional<ParseError> BanStore::add(const Ban& ban, UtcTime now) {
+  if (auto error = readAgain()) return error;
+  if (list_.text().size() + kMaxBanBytes > BanList::kMaxBytes) {
+    return ParseError{"the ban file is full: remove bans from it"};
+  }
+  list_.add(ban);
+  save(now);
+  return std::nullopt;
+}
+
+std::optional<ParseError> BanStore::remove(const AddressRange& range, UtcTime now) {
+  if (auto error = readAgain()) return error;
+  if (!list_.remove(range)) {
+    const Ban* other = list_.find(range.first(), now);
+    const bool wider = other && other->range.bits() < range.bits();
+    return ParseError{"there is no ban of " + range.text() +
+                      (wider ? "; it is part of " + other->range.text() : "; the command bans lists all")};
+  }
+  save(now);
+  return std::nullopt;
+}
+
+std::optional<ParseError> BanStore::replace(BanList list) {
+  if (!file_) return std::nullopt;
+  if (pending()) {
+    return ParseError{path_ +
+                      ": error: the last change of the bans is not written to this file yet, and will replace what is "
+                      "in it; reload again when it is written"};
+  }
+  list_ = std::move(list);
+  return std::nullopt;
+}
+
+std::optional<std::string> BanStore::poll(FileWriter::Time now) { return file_ ? file_->poll(now) : std::nullopt; }
+
+// A file that does not hold the newest list yet is older than the list.
+std::optional<ParseError> BanStore::readAgain() {
+  if (!file_ || pending()) return std::nullopt;
+  auto read = readBanFile(path_);
+  if (const auto* errors = std::get_if<std::vector<std::string>>(&read)) {
+    return ParseError{errors->front() + "; nothing has changed: correct the file first"};
+  }
+  list_ = std::get<BanList>(std::move(read));
+  return std::nullopt;
+}
+
+void BanStore::save(UtcTime now) {
+  list_.removeEnded(now);
+  if (file_) file_->write(list_.text());
+}
+
+std::size_t enforceBans(Match& match, const BanList& bans, UtcTime now) {
+  std::size_t removed = 0;
+  for (const PlayerStatus& player : match.playerStatus()) {
+    const Ban* ban = bans.find(player.address, now);
+    if (ban && match.kick(player.slot, refusalOf(*ban))) ++removed;
+  }
+  return removed;
 }
 
 }  // namespace platon
