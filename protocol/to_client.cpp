@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cstdlib>
 
-#include "protocol/byte_reader.h"
-#include "protocol/byte_writer.h"
 #include "protocol/bytes.h"
 #include "protocol/envelope.h"
 #include "protocol/input_code.h"

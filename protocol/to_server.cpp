@@ -4,8 +4,7 @@
 #include <cassert>
 #include <cstring>
 
-#include "protocol/byte_reader.h"
-#include "protocol/byte_writer.h"
+#include "protocol/bytes.h"
 #include "protocol/envelope.h"
 #include "protocol/input_code.h"
 #include "protocol/label.h"

@@ -10,8 +10,8 @@
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "protocol/program_options.h"
-#include "protocol/transport/secret_file.h"
 #include "protocol/transport/server_address.h"
+#include "protocol/transport/server_identity.h"
 
 namespace platon {
 

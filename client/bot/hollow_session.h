@@ -9,10 +9,10 @@
 
 #include "client/session/dialogue.h"
 #include "client/session/round.h"
-#include "protocol/assembly.h"
 #include "protocol/moment.h"
 #include "protocol/session_token.h"
 #include "protocol/to_client.h"
+#include "protocol/transfer.h"
 
 namespace platon {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "platon_version.h"
-#include "protocol/transport/system_address.h"
+#include "protocol/transport/socket_address.h"
 
 namespace platon {
 namespace {

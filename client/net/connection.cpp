@@ -6,8 +6,7 @@
 
 #include "protocol/label.h"
 #include "protocol/limits.h"
-#include "protocol/transport/enet_check.h"
-#include "protocol/transport/enet_settings.h"
+#include "protocol/transport/enet_layer.h"
 #include "protocol/transport/udp_socket.h"
 #include "protocol/version_text.h"
 

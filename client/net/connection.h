@@ -13,7 +13,7 @@
 #include "client/net/connection.h"
 #include "protocol/moment.h"
 #include "protocol/transport/client_gate.h"
-#include "protocol/transport/enet_calls.h"
+#include "protocol/transport/enet_layer.h"
 
 namespace platon {
 

@@ -11,7 +11,7 @@
 #include "protocol/limits.h"
 #include "protocol/program_error.h"
 #include "protocol/program_options.h"
-#include "protocol/transport/secret_file.h"
+#include "protocol/transport/server_identity.h"
 
 namespace platon {
 

@@ -8,8 +8,8 @@
 
 #include "client/session/work_limit.h"
 #include "platon/game/level.h"
-#include "protocol/assembly.h"
 #include "protocol/to_client.h"
+#include "protocol/transfer.h"
 
 namespace platon {
 

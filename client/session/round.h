@@ -15,11 +15,10 @@
 #include "client/netcode/prediction.h"
 #include "client/netcode/prediction_clock.h"
 #include "platon/game/game.h"
-#include "protocol/assembly.h"
-#include "protocol/full_state.h"
 #include "protocol/moment.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/transfer.h"
 
 namespace platon {
 

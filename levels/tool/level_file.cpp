@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "levels/check/level_warnings.h"
-#include "protocol/files/regular_file.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 

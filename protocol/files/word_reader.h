@@ -1,8 +1,16 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace platon {
+
+/// Why a text is refused: a clause that says what is wrong and how to correct it, in printable characters.
+struct ParseError {
+  std::string what;
+
+  friend bool operator==(const ParseError&, const ParseError&) = default;
+};
 
 /// Reads the words of a line, separated by spaces and tabs.
 class WordReader {

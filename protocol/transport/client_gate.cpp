@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "protocol/limits.h"
-#include "protocol/transport/control.h"
+#include "protocol/transport/sealed_channel.h"
 #include "protocol/transport/server_identity.h"
 
 namespace platon {

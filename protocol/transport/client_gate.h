@@ -8,8 +8,8 @@
 
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/handshake.h"
-#include "protocol/transport/password.h"
 #include "protocol/transport/sealed_channel.h"
+#include "protocol/transport/server_identity.h"
 
 namespace platon {
 

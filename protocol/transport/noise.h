@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "protocol/bytes.h"
 
@@ -89,5 +90,14 @@ class NoiseExchange {
   CryptoKey presharedKey_;
   KeyPair clientEphemeral_{};  // the client's; of the server's side only `open` is known
 };
+
+/// ChaCha20-Poly1305 (RFC 8439) with the nonce of the Noise framework: four zero bytes, then the counter, least
+/// significant byte first. `sealed` has kTagBytes more than `plaintext`. A nonce must never be used twice with one key.
+void sealWith(const CryptoKey& key, std::uint64_t nonce, ByteSpan associated, ByteSpan plaintext,
+              std::span<std::uint8_t> sealed);
+
+/// False if the tag is wrong; `plaintext` is then undefined. `sealed` has at least kTagBytes.
+bool openWith(const CryptoKey& key, std::uint64_t nonce, ByteSpan associated, ByteSpan sealed,
+              std::span<std::uint8_t> plaintext);
 
 }  // namespace platon

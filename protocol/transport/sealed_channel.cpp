@@ -1,6 +1,6 @@
 #include "protocol/transport/sealed_channel.h"
 
-#include "protocol/transport/aead.h"
+#include "protocol/transport/noise.h"
 
 namespace platon {
 namespace {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "protocol/transport/datagram_socket.h"
-#include "protocol/transport/rejections.h"
 #include "protocol/transport/server_admission.h"
 #include "protocol/transport/server_identity.h"
 #include "protocol/transport/server_sessions.h"

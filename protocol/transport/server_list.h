@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/files/parse_error.h"
+#include "protocol/files/word_reader.h"
 #include "protocol/transport/server_address.h"
 #include "protocol/transport/server_identity.h"
 

@@ -1,9 +1,9 @@
 #include "protocol/transport/server_sessions.h"
 
-#include <sodium.h>
-
 #include <algorithm>
 #include <utility>
+
+#include <sodium.h>
 
 namespace platon {
 namespace {

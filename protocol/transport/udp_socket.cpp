@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "protocol/transport/system_address.h"
+#include "protocol/transport/socket_address.h"
 
 namespace platon {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "platon/game/diagnostics.h"
 #include "protocol/files/file_writer.h"
-#include "protocol/files/parse_error.h"
+#include "protocol/files/word_reader.h"
 #include "protocol/transport/socket_address.h"
 #include "server/base/utc_time.h"
 #include "server/match/match.h"

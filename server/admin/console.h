@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "protocol/files/parse_error.h"
+#include "protocol/files/word_reader.h"
 #include "server/admin/bans.h"
 #include "server/base/utc_time.h"
 #include "server/match/match.h"

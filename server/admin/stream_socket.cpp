@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "protocol/files/text_file.h"
-#include "protocol/transport/system_address.h"
+#include "protocol/transport/socket_address.h"
 
 namespace platon {
 namespace {

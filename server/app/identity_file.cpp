@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "protocol/program_error.h"
-#include "protocol/transport/secret_file.h"
+#include "protocol/transport/server_identity.h"
 
 namespace platon {
 namespace {

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "platon/game/game.h"
-#include "protocol/files/regular_file.h"
+#include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 
 namespace platon {

@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "protocol/full_state.h"
 #include "protocol/to_client.h"
+#include "protocol/transfer.h"
 #include "server/match/played_round.h"
 #include "server/match/roster.h"
 

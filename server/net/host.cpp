@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/transport/enet_check.h"
-#include "protocol/transport/enet_settings.h"
+#include "protocol/transport/enet_layer.h"
 #include "protocol/transport/udp_socket.h"
 
 namespace platon {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "protocol/token_bucket.h"
-#include "protocol/transport/enet_calls.h"
-#include "protocol/transport/rejections.h"
+#include "protocol/transport/enet_layer.h"
 #include "protocol/transport/server_gate.h"
+#include "protocol/transport/server_sessions.h"
 #include "server/base/client_id.h"
 
 namespace platon {

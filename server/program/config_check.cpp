@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "protocol/program_error.h"
-#include "protocol/transport/secret_file.h"
+#include "protocol/transport/server_identity.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/admin/announcement.h"
 #include "server/admin/bans.h"

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/files/parse_error.h"
+#include "protocol/files/word_reader.h"
 #include "server/app/server_options.h"
 
 namespace platon {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "protocol/program_error.h"
-#include "protocol/transport/secret_file.h"
+#include "protocol/transport/server_identity.h"
 #include "server/admin/bans.h"
 #include "server/app/identity_file.h"
 #include "server/app/level_files.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "platon/game/game.h"
-#include "protocol/files/parse_error.h"
 #include "protocol/files/private_file.h"
 #include "protocol/files/text_file.h"
 #include "protocol/files/word_reader.h"

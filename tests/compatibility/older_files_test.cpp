@@ -19,7 +19,6 @@
 #include "platon/game/game.h"
 #include "platon/game/level.h"
 #include "protocol/hash_text.h"
-#include "protocol/transport/secret_file.h"
 #include "protocol/transport/server_identity.h"
 #include "server/admin/bans.h"
 #include "server/times/best_times.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/transport/aead.h"
+#include "protocol/transport/noise.h"
 
 namespace platon::fuzz {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "protocol/transport/enet_check.h"
+#include "protocol/transport/enet_layer.h"
 #include "tests/fuzz/byte_source.h"
 
 namespace platon::fuzz {

@@ -6,7 +6,7 @@
 #include "platon/game/stage.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
-#include "protocol/transport/enet_check.h"
+#include "protocol/transport/enet_layer.h"
 #include "protocol/transport/sealed_channel.h"
 #include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/fuzz_scene.h"

@@ -1,10 +1,10 @@
 #include <optional>
 #include <variant>
 
-#include "protocol/full_state.h"
 #include "protocol/label.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/transfer.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
 

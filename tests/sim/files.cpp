@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "protocol/files/regular_file.h"
+#include "protocol/files/text_file.h"
 #include "tests/sim/sim_options.h"
 
 namespace platon::sim {

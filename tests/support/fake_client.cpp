@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "protocol/full_state.h"
+#include "protocol/transfer.h"
 
 namespace platon {
 namespace {

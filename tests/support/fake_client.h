@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "platon/game/game.h"
-#include "protocol/assembly.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/transfer.h"
 #include "tests/support/virtual_client.h"
 
 namespace platon {

@@ -29,8 +29,8 @@
 #include "platon/game/player.h"
 #include "protocol/moment.h"
 #include "protocol/token_bucket.h"
-#include "protocol/transport/password.h"
 #include "protocol/transport/server_address.h"
+#include "protocol/transport/server_identity.h"
 
 namespace platon {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "platon/game/state_difference.h"
-#include "protocol/full_state.h"
+#include "protocol/transfer.h"
 #include "tests/sim/verify/verification.h"
 #include "tests/support/flipped_bit.h"
 #include "tests/support/input_flipper.h"

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "protocol/transport/control.h"
+#include "protocol/transport/sealed_channel.h"
 #include "tests/net/attacks/virtual_attack.h"
 
 namespace platon::attacks_test {

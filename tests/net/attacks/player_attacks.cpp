@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/transport/enet_check.h"
+#include "protocol/transport/enet_layer.h"
 #include "tests/net/attacks/hostile_player.h"
 #include "tests/net/attacks/hostile_session.h"
 #include "tests/support/transport/raw_content.h"

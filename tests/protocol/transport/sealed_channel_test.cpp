@@ -1,12 +1,12 @@
 #include "protocol/transport/sealed_channel.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <optional>
 #include <random>
 #include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace platon::sealed_channel_test {
 namespace {

@@ -1,15 +1,147 @@
-#include <gtest/gtest.h>
+#include "protocol/transport/server_admission.h"
 
 #include <array>
 #include <cstdio>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "protocol/limits.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/server_gate.h"
+#include "tests/support/transport/datagram_network.h"
 #include "tests/support/transport/server_gate_fixture.h"
 
 namespace platon::server_admission_test {
 namespace {
+
+using std::chrono::seconds;
+
+const SocketAddress kClient = addressAt("192.0.2.1", 4000);
+constexpr CryptoKey kClientKey{5};
+constexpr Moment kNow = seconds(1000);
+
+TEST(CookieJar, ACookieIsValidForTheSameClientOnly) {
+  const CookieJar jar(CryptoKey{1});
+  const Cookie cookie = jar.make(kClient, kClientKey, kNow);
+  EXPECT_TRUE(jar.isValid(cookie, kClient, kClientKey, kNow));
+  EXPECT_FALSE(jar.isValid(cookie, addressAt("192.0.2.1", 4001), kClientKey, kNow));
+  EXPECT_FALSE(jar.isValid(cookie, addressAt("192.0.2.2", 4000), kClientKey, kNow));
+  EXPECT_FALSE(jar.isValid(cookie, kClient, CryptoKey{6}, kNow));
+  EXPECT_FALSE(CookieJar(CryptoKey{2}).isValid(cookie, kClient, kClientKey, kNow));
+}
+
+TEST(CookieJar, EveryFlippedBitIsInvalid) {
+  const CookieJar jar(CryptoKey{1});
+  const Cookie cookie = jar.make(kClient, kClientKey, kNow);
+  for (std::size_t bit = 0; bit < 8 * cookie.size(); ++bit) {
+    Cookie damaged = cookie;
+    damaged[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
+    EXPECT_FALSE(jar.isValid(damaged, kClient, kClientKey, kNow)) << "bit " << bit;
+  }
+}
+
+TEST(CookieJar, ACookieIsValidInItsEpochAndTheNext) {
+  const CookieJar jar(CryptoKey{1});
+  const Moment begin = 20 * CookieJar::kEpoch;
+  const Cookie cookie = jar.make(kClient, kClientKey, begin);
+  EXPECT_TRUE(jar.isValid(cookie, kClient, kClientKey, begin + 2 * CookieJar::kEpoch - seconds(1)));
+  EXPECT_FALSE(jar.isValid(cookie, kClient, kClientKey, begin + 2 * CookieJar::kEpoch));
+  EXPECT_FALSE(jar.isValid(cookie, kClient, kClientKey, begin + 256 * CookieJar::kEpoch));
+}
+
+using std::chrono::seconds;
+
+TEST(RecentKeys, RemembersAKeyInItsEpochAndTheNextOne) {
+  RecentKeys keys(seconds(10));
+  EXPECT_FALSE(keys.contains(CryptoKey{1}, seconds(25)));
+  keys.add(CryptoKey{1}, seconds(25));
+  EXPECT_TRUE(keys.contains(CryptoKey{1}, seconds(25)));
+  EXPECT_FALSE(keys.contains(CryptoKey{2}, seconds(25)));
+  EXPECT_TRUE(keys.contains(CryptoKey{1}, seconds(39)));
+  EXPECT_FALSE(keys.contains(CryptoKey{1}, seconds(40)));
+}
+
+TEST(RecentKeys, ForgetsAllWhenNothingWasAskedForAWholeEpoch) {
+  RecentKeys keys(seconds(10));
+  keys.add(CryptoKey{1}, seconds(25));
+  EXPECT_FALSE(keys.contains(CryptoKey{1}, seconds(45)));
+}
+
+// A list of 4 096 keys forgot the oldest while their cookies were still valid.
+TEST(RecentKeys, ForgetsNoneHoweverManyThereAre) {
+  RecentKeys keys(seconds(60));
+  const auto keyOf = [](std::uint32_t number) {
+    CryptoKey key{};
+    for (std::size_t i = 0; i < 4; ++i) key[i] = static_cast<std::uint8_t>(number >> (8 * i));
+    return key;
+  };
+  for (std::uint32_t number = 0; number < 60'000; ++number) keys.add(keyOf(number), seconds(60 + number / 500));
+  for (std::uint32_t number = 30'000; number < 60'000; ++number)
+    ASSERT_TRUE(keys.contains(keyOf(number), seconds(179)));
+  EXPECT_TRUE(keys.contains(keyOf(0), seconds(179)));
+}
+
+using std::chrono::milliseconds;
+
+constexpr Moment kStart = std::chrono::seconds(1000);
+constexpr CryptoKey kKey{1, 2, 3};
+constexpr double kPerSecond = 2;
+constexpr int kLimit = 8;
+constexpr std::uint64_t kAttacker = 77;
+
+NetworkBudgets budgets(const CryptoKey& key = kKey) { return {kPerSecond, kLimit, key, kStart}; }
+
+TEST(NetworkBudgetsTest, ANetworkHasItsLimitAtOnceAndThenItsRate) {
+  NetworkBudgets some = budgets();
+  for (int i = 0; i < kLimit; ++i) EXPECT_TRUE(some.take(5, kStart)) << i;
+  EXPECT_FALSE(some.take(5, kStart));
+  EXPECT_FALSE(some.take(5, kStart + milliseconds(499)));
+  EXPECT_TRUE(some.take(5, kStart + milliseconds(500)));
+  EXPECT_FALSE(some.take(5, kStart + milliseconds(500)));
+}
+
+TEST(NetworkBudgetsTest, HoldsWhatCanBeTaken) {
+  NetworkBudgets some = budgets();
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(some.holds(5, kStart)) << "it takes nothing";
+  while (some.take(5, kStart)) {
+  }
+  EXPECT_FALSE(some.holds(5, kStart));
+  EXPECT_FALSE(some.holds(5, kStart + milliseconds(499)));
+  EXPECT_TRUE(some.holds(5, kStart + milliseconds(500)));
+}
+
+// With one bucket each, several of these newcomers would share that of the attacker.
+TEST(NetworkBudgetsTest, AnAttackerKeepsNoNewcomerOut) {
+  NetworkBudgets attacked = budgets();
+  for (int i = 0; i < 1000; ++i) attacked.take(kAttacker, kStart);
+  for (std::uint64_t newcomer = 1000; newcomer < 11000; ++newcomer) {
+    NetworkBudgets left = attacked;
+    ASSERT_TRUE(left.take(newcomer, kStart)) << newcomer;
+  }
+}
+
+TEST(NetworkBudgetsTest, TheKeyDecidesWhoShares) {
+  // They use up an eighth of the buckets, so that one newcomer in 64 finds both of its own empty.
+  constexpr int kAttackers = 64;
+  const auto keptOut = [](const CryptoKey& key) {
+    NetworkBudgets attacked = budgets(key);
+    for (std::uint64_t attacker = 0; attacker < kAttackers; ++attacker) {
+      for (int i = 0; i < kLimit; ++i) attacked.take(attacker, kStart);
+    }
+    std::vector<std::uint64_t> refused;
+    for (std::uint64_t newcomer = 1000; newcomer < 2000; ++newcomer) {
+      NetworkBudgets left = attacked;
+      if (!left.take(newcomer, kStart)) refused.push_back(newcomer);
+    }
+    return refused;
+  };
+  const std::vector<std::uint64_t> some = keptOut(kKey);
+  EXPECT_GT(some.size(), 5U);
+  EXPECT_LT(some.size(), 40U);
+  EXPECT_EQ(keptOut(kKey), some);
+  EXPECT_NE(keptOut({3, 2, 1}), some);
+}
 
 TEST_F(ServerGateTest, AHouseholdHasALimitedNumberOfSessions) {
   start();

@@ -1,8 +1,10 @@
 // Clients whose address changes, and attackers who forge that.
+#include "protocol/transport/server_sessions.h"
+
 #include <gtest/gtest.h>
 
 #include "protocol/transport/client_gate.h"
-#include "protocol/transport/control.h"
+#include "protocol/transport/sealed_channel.h"
 #include "protocol/transport/server_gate.h"
 #include "tests/support/transport/server_gate_fixture.h"
 

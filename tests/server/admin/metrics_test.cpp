@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/program_error.h"
-#include "protocol/transport/system_address.h"
+#include "protocol/transport/socket_address.h"
 #include "server/admin/stream_socket.h"
 #include "tests/server/metrics_reader.h"
 #include "tests/support/wait_until.h"

@@ -10,9 +10,8 @@
 #include <utility>
 #include <variant>
 
-#include "protocol/assembly.h"
-#include "protocol/full_state.h"
 #include "protocol/to_client.h"
+#include "protocol/transfer.h"
 #include "server/match/match.h"
 #include "server/match/updates.h"
 #include "tests/support/test_levels.h"

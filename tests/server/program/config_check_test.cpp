@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "protocol/program_error.h"
-#include "protocol/transport/secret_file.h"
+#include "protocol/transport/server_identity.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/admin/console_socket.h"
 #include "server/admin/metrics.h"

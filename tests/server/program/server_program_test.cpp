@@ -6,7 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "protocol/transport/system_address.h"
+#include "protocol/transport/socket_address.h"
 #include "server/program/options.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/environment_variable.h"

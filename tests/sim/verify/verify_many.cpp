@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-#include "protocol/files/regular_file.h"
+#include "protocol/files/text_file.h"
 #include "tests/sim/files.h"
 #include "tests/sim/sim_options.h"
 #include "tests/sim/verify/verification.h"

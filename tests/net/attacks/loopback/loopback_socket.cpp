@@ -6,7 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "protocol/transport/system_address.h"
+#include "protocol/transport/socket_address.h"
 
 namespace platon {
 namespace {
