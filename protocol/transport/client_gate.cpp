@@ -14,7 +14,7 @@ ClientGate::ClientGate(std::unique_ptr<DatagramSocket> socket, std::vector<Socke
       servers_(std::move(servers)),
       knowledge_(std::move(knowledge)),
       ephemeral_(ephemeral),
-      request_(encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), ephemeral.open})) {}
+      request_(encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), ephemeral.publicKey})) {}
 
 void ClientGate::update(Moment now) {
   if (state_ != State::kHandshake || (sentAt_ && now - *sentAt_ < kRepeatInterval)) return;
@@ -50,7 +50,7 @@ void ClientGate::takeHandshake(const Datagram& datagram, Moment now) {
 }
 
 void ClientGate::takeCookie(const SocketAddress& server, const CookieReply& reply, Moment now) {
-  if (exchange_ || reply.echo != echoOf(ephemeral_.open)) return;
+  if (exchange_ || reply.echo != echoOf(ephemeral_.publicKey)) return;
   const std::optional<CryptoKey> serverKey = exchangeKeyOf(reply.identity);
   if (!serverKey) return;
   identity_ = reply.identity;
@@ -76,19 +76,19 @@ void ClientGate::takeCookie(const SocketAddress& server, const CookieReply& repl
 }
 
 void ClientGate::takeAccept(const Accept& accept) {
-  if (!exchange_ || accept.echo != echoOf(ephemeral_.open)) return;
+  if (!exchange_ || accept.echo != echoOf(ephemeral_.publicKey)) return;
   NoiseExchange exchange = *exchange_;  // a forged answer must not spoil it
   const std::optional<Bytes> payload = exchange.readSecond(accept.exchange);
   if (!payload || payload->size() != 2) return;
   const auto slot = static_cast<std::uint16_t>((*payload)[0] | (*payload)[1] << 8);
   channel_.emplace(SealedChannel::Side::kClient, exchange.split(), slot);
   exchange_.reset();
-  wipe(ephemeral_.secret);
+  wipe(ephemeral_.secretKey);
   state_ = State::kOpen;
 }
 
 void ClientGate::takeRefusal(const Refusal& refusal) {
-  if (refusal.echo != echoOf(ephemeral_.open)) return;
+  if (refusal.echo != echoOf(ephemeral_.publicKey)) return;
   refusal_ = refusal;
   state_ = State::kRefused;
 }

@@ -66,17 +66,17 @@ CryptoKey firstHalf(const Hash& hash) {
 
 void wipe(CryptoKey& key) { sodium_memzero(key.data(), key.size()); }
 
-KeyPair KeyPair::of(const CryptoKey& secret) {
-  KeyPair pair{secret, {}};
-  crypto_scalarmult_base(pair.open.data(), secret.data());
+KeyPair KeyPair::of(const CryptoKey& secretKey) {
+  KeyPair pair{secretKey, {}};
+  crypto_scalarmult_base(pair.publicKey.data(), secretKey.data());
   return pair;
 }
 
 KeyPair KeyPair::random() {
-  CryptoKey secret;
-  randombytes_buf(secret.data(), secret.size());
-  const KeyPair pair = of(secret);
-  wipe(secret);
+  CryptoKey secretKey;
+  randombytes_buf(secretKey.data(), secretKey.size());
+  const KeyPair pair = of(secretKey);
+  wipe(secretKey);
   return pair;
 }
 
@@ -96,7 +96,7 @@ NoiseExchange::NoiseExchange(ByteSpan prologue, const CryptoKey& serverKey, cons
 
 NoiseExchange::~NoiseExchange() {
   sodium_memzero(chainingKey_.data(), chainingKey_.size());
-  for (CryptoKey* key : {&key_, &presharedKey_, &clientEphemeral_.secret}) wipe(*key);
+  for (CryptoKey* key : {&key_, &presharedKey_, &clientEphemeral_.secretKey}) wipe(*key);
 }
 
 void NoiseExchange::mixHash(ByteSpan data) { hash_ = hashOf({hash_, data}); }
@@ -117,9 +117,9 @@ void NoiseExchange::mixKeyAndHash(ByteSpan input) {
 }
 
 // False for a public key of small order, whose shared secret everybody knows.
-bool NoiseExchange::mixExchange(const CryptoKey& secret, const CryptoKey& open) {
+bool NoiseExchange::mixExchange(const CryptoKey& secretKey, const CryptoKey& publicKey) {
   CryptoKey shared;
-  if (crypto_scalarmult(shared.data(), secret.data(), open.data()) != 0) return false;
+  if (crypto_scalarmult(shared.data(), secretKey.data(), publicKey.data()) != 0) return false;
   mixKey(shared);
   wipe(shared);
   return true;
@@ -150,8 +150,8 @@ Bytes NoiseExchange::writeEphemeral(ByteSpan ephemeral) {
 Bytes NoiseExchange::writeFirst(const KeyPair& clientEphemeral, ByteSpan payload) {
   clientEphemeral_ = clientEphemeral;
   mixKeyAndHash(presharedKey_);
-  Bytes message = writeEphemeral(clientEphemeral.open);
-  if (!mixExchange(clientEphemeral.secret, serverKey_)) return {};
+  Bytes message = writeEphemeral(clientEphemeral.publicKey);
+  if (!mixExchange(clientEphemeral.secretKey, serverKey_)) return {};
   const Bytes sealed = encryptAndHash(payload);
   message.insert(message.end(), sealed.begin(), sealed.end());
   return message;
@@ -159,16 +159,16 @@ Bytes NoiseExchange::writeFirst(const KeyPair& clientEphemeral, ByteSpan payload
 
 std::optional<Bytes> NoiseExchange::readFirst(const KeyPair& server, ByteSpan message) {
   if (message.size() < kOverhead) return std::nullopt;
-  std::copy_n(message.begin(), sizeof(CryptoKey), clientEphemeral_.open.begin());
+  std::copy_n(message.begin(), sizeof(CryptoKey), clientEphemeral_.publicKey.begin());
   mixKeyAndHash(presharedKey_);
-  writeEphemeral(clientEphemeral_.open);
-  if (!mixExchange(server.secret, clientEphemeral_.open)) return std::nullopt;
+  writeEphemeral(clientEphemeral_.publicKey);
+  if (!mixExchange(server.secretKey, clientEphemeral_.publicKey)) return std::nullopt;
   return decryptAndHash(message.subspan(sizeof(CryptoKey)));
 }
 
 Bytes NoiseExchange::writeSecond(const KeyPair& serverEphemeral, ByteSpan payload) {
-  Bytes message = writeEphemeral(serverEphemeral.open);
-  if (!mixExchange(serverEphemeral.secret, clientEphemeral_.open)) return {};
+  Bytes message = writeEphemeral(serverEphemeral.publicKey);
+  if (!mixExchange(serverEphemeral.secretKey, clientEphemeral_.publicKey)) return {};
   const Bytes sealed = encryptAndHash(payload);
   message.insert(message.end(), sealed.begin(), sealed.end());
   return message;
@@ -179,7 +179,7 @@ std::optional<Bytes> NoiseExchange::readSecond(ByteSpan message) {
   CryptoKey serverEphemeral;
   std::copy_n(message.begin(), sizeof(CryptoKey), serverEphemeral.begin());
   writeEphemeral(serverEphemeral);
-  if (!mixExchange(clientEphemeral_.secret, serverEphemeral)) return std::nullopt;
+  if (!mixExchange(clientEphemeral_.secretKey, serverEphemeral)) return std::nullopt;
   return decryptAndHash(message.subspan(sizeof(CryptoKey)));
 }
 

@@ -17,11 +17,11 @@ void wipe(CryptoKey& key);
 
 /// An X25519 key pair.
 struct KeyPair {
-  CryptoKey secret{};
-  CryptoKey open{};
+  CryptoKey secretKey{};
+  CryptoKey publicKey{};
 
-  /// The pair with this secret.
-  static KeyPair of(const CryptoKey& secret);
+  /// The pair with this secret key.
+  static KeyPair of(const CryptoKey& secretKey);
   /// A new pair from the random numbers of the system.
   static KeyPair random();
 };
@@ -77,7 +77,7 @@ class NoiseExchange {
   void mixHash(ByteSpan data);
   void mixKey(ByteSpan input);
   void mixKeyAndHash(ByteSpan input);
-  bool mixExchange(const CryptoKey& secret, const CryptoKey& open);
+  bool mixExchange(const CryptoKey& secretKey, const CryptoKey& publicKey);
   Bytes encryptAndHash(ByteSpan plaintext);
   std::optional<Bytes> decryptAndHash(ByteSpan sealed);
   Bytes writeEphemeral(ByteSpan ephemeral);
@@ -88,7 +88,7 @@ class NoiseExchange {
   std::uint64_t nonce_ = 0;
   CryptoKey serverKey_;
   CryptoKey presharedKey_;
-  KeyPair clientEphemeral_{};  // the client's; of the server's side only `open` is known
+  KeyPair clientEphemeral_{};  // the client's; of the server's side only `publicKey` is known
 };
 
 /// ChaCha20-Poly1305 (RFC 8439) with the nonce of the Noise framework: four zero bytes, then the counter, least

@@ -187,12 +187,12 @@ bool ServerAdmission::takeBudget(const IpAddress& client, Moment now) {
 
 // Nothing if the client does not know the password.
 std::optional<ServerSessions::Agreement> ServerAdmission::exchange(const Open& open, std::uint16_t slot) const {
-  NoiseExchange exchange(prologueOf(identity_.publicKey()), identity_.exchangeKeys().open, presharedKey_);
+  NoiseExchange exchange(prologueOf(identity_.publicKey()), identity_.exchangeKeys().publicKey, presharedKey_);
   if (!exchange.readFirst(identity_.exchangeKeys(), open.exchange)) return std::nullopt;
   const std::array<std::uint8_t, 2> payload{static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(slot >> 8)};
   KeyPair ephemeral = KeyPair::random();
   const Bytes message = exchange.writeSecond(ephemeral, payload);
-  wipe(ephemeral.secret);
+  wipe(ephemeral.secretKey);
   if (message.empty()) return std::nullopt;
   Accept accept{echoOf(open.clientKey()), {}};
   std::copy(message.begin(), message.end(), accept.exchange.begin());

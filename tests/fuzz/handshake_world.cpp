@@ -73,7 +73,7 @@ void HandshakeWorld::sendFromClient(std::size_t number, std::size_t bytes) {
   Client& client = clients_[number];
   if (client.gate->state() != State::kOpen) return;
   const platon::Bytes content = nextContent(bytes);
-  toServer_.insert({client.keys.open, content});
+  toServer_.insert({client.keys.publicKey, content});
   client.gate->send(content, now_);
 }
 
@@ -114,17 +114,17 @@ void HandshakeWorld::expire() {
 }
 
 platon::Bytes HandshakeWorld::knock() {
-  return encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), ownKeys_.open});
+  return encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), ownKeys_.publicKey});
 }
 
 platon::Bytes HandshakeWorld::openFor(const SocketAddress& client, bool isRight) {
   const auto found = std::find_if(issued_.rbegin(), issued_.rend(), [&](const Issued& each) {
-    return each.client == client && each.key == ownKeys_.open;
+    return each.client == client && each.key == ownKeys_.publicKey;
   });
   if (found == issued_.rend()) return {};
   CryptoKey presharedKey = presharedKey_;
   presharedKey[0] ^= isRight ? 0 : 1;
-  NoiseExchange exchange(prologueOf(identity_.publicKey()), identity_.exchangeKeys().open, presharedKey);
+  NoiseExchange exchange(prologueOf(identity_.publicKey()), identity_.exchangeKeys().publicKey, presharedKey);
   Open open{found->cookie, {}};
   const platon::Bytes message = exchange.writeFirst(ownKeys_, {});
   std::copy(message.begin(), message.end(), open.exchange.begin());
@@ -262,7 +262,8 @@ void HandshakeWorld::deliverToClient(std::size_t number, const SocketAddress& fr
   network_.inject(from, addresses()[number], bytes);
   client.gate->beginRound();
   while (const auto content = client.gate->receive(now_)) {
-    require(toClient_.erase({client.keys.open, *content}) == 1, "a client gets a content that was not sent, or again");
+    require(toClient_.erase({client.keys.publicKey, *content}) == 1,
+            "a client gets a content that was not sent, or again");
   }
   require(sent().size() <= sentBefore + (from == server() ? 1 : 0), "a client has too many answers");
   require(sent().size() == sentBefore || sent().back().to == server(), "a client answers somebody else");
@@ -279,7 +280,7 @@ bool HandshakeWorld::wasAccepted(ByteSpan datagram) const {
 
 void HandshakeWorld::checkTransition(const Client& client, State before, ByteSpan datagram) {
   require(before == State::kHandshake, "a client leaves a final state");
-  const Echo echo = echoOf(client.keys.open);
+  const Echo echo = echoOf(client.keys.publicKey);
   const auto cookie = decodeCookieReply(datagram);
   const auto refusal = decodeRefusal(datagram);
   const bool toldOfPassword = cookie && cookie->echo == echo && cookie->needsPassword != setup_.clientsHavePassword;

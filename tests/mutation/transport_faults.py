@@ -145,7 +145,7 @@ TRANSPORT_FAULTS = [
               "both directions use the same key and the same nonces",
               "Noise.TheClientAgreesWithCacophony"),
     at_length("answer-without-echo", TRANSPORT + "client_gate.cpp",
-              "if (exchange_ || reply.echo != echoOf(ephemeral_.open)) return;", "if (exchange_) return;",
+              "if (exchange_ || reply.echo != echoOf(ephemeral_.publicKey)) return;", "if (exchange_) return;",
               "an answer that somebody made up without seeing the request is taken",
               "ClientGateTest.AnswersWithoutTheEchoOfItsKeyAreIgnored"),
     at_length("identity-not-compared", TRANSPORT + "client_gate.cpp",

@@ -157,7 +157,7 @@ Connection::Refused refusedWith(std::uint32_t version, RefusalReason reason, con
   ClientGate gate(network.socket(kClient), {kServer}, {}, keys);
   gate.update(Moment{});
   network.inject(kServer, kClient,
-                 encode(Refusal{static_cast<std::uint16_t>(version), echoOf(keys.open), reason, text}));
+                 encode(Refusal{static_cast<std::uint16_t>(version), echoOf(keys.publicKey), reason, text}));
   gate.receive(Moment{});
   return refusalOf(gate);
 }
@@ -186,7 +186,7 @@ TEST(RefusalText, SaysThatAPasswordOrTheKnownServerIsMissing) {
   const auto textFor = [&](const ServerKnowledge& knowledge, bool needsPassword = true) {
     ClientGate gate(network.socket(kClient), {kServer}, knowledge, keys);
     gate.update(Moment{});
-    network.inject(kServer, kClient, encode(CookieReply{echoOf(keys.open), needsPassword, identity, {}}));
+    network.inject(kServer, kClient, encode(CookieReply{echoOf(keys.publicKey), needsPassword, identity, {}}));
     gate.receive(Moment{});
     return refusalOf(gate).reason;
   };

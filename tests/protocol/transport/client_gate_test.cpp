@@ -87,7 +87,7 @@ TEST_F(ClientGateTest, AnIdentityMustBeProved) {
   gate.receive(now_);
   fake.receive(now_);
   EXPECT_EQ(fake.rejections().password, 1u);  // it cannot read what the client sends
-  network_.inject(kServer, kClient, encode(Accept{echoOf(ephemeral_.open), {}}));
+  network_.inject(kServer, kClient, encode(Accept{echoOf(ephemeral_.publicKey), {}}));
   gate.receive(now_);
   EXPECT_EQ(gate.state(), ClientGate::State::kHandshake);
 }
@@ -106,7 +106,7 @@ TEST_F(ClientGateTest, AnswersWithoutTheEchoOfItsKeyAreIgnored) {
 TEST_F(ClientGateTest, DatagramsOfOthersAreIgnored) {
   ClientGate gate = client();
   gate.update(now_);
-  network_.inject(kOther, kClient, encode(Refusal{1, echoOf(ephemeral_.open), RefusalReason::kFull, ""}));
+  network_.inject(kOther, kClient, encode(Refusal{1, echoOf(ephemeral_.publicKey), RefusalReason::kFull, ""}));
   gate.receive(now_);
   EXPECT_EQ(gate.state(), ClientGate::State::kHandshake);
 }
@@ -115,7 +115,7 @@ TEST_F(ClientGateTest, AnOpenGateCannotBeClosedFromOutside) {
   ClientGate gate = client();
   exchange(gate);
   ASSERT_EQ(gate.state(), ClientGate::State::kOpen);
-  network_.inject(kServer, kClient, encode(Refusal{1, echoOf(ephemeral_.open), RefusalReason::kFull, ""}));
+  network_.inject(kServer, kClient, encode(Refusal{1, echoOf(ephemeral_.publicKey), RefusalReason::kFull, ""}));
   network_.inject(kServer, kClient, Bytes(60, 0xff));
   network_.inject(kServer, kClient, Bytes(1, 0x80));
   EXPECT_FALSE(gate.receive(now_));

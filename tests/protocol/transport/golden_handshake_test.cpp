@@ -24,20 +24,20 @@ struct Handshake {
     cookie.fill(4);
     const CryptoKey psk = presharedKeyOf("open sesame", identity.publicKey());
     NoiseExchange clientSide(prologueOf(identity.publicKey()), *exchangeKeyOf(identity.publicKey()), psk);
-    NoiseExchange serverSide(prologueOf(identity.publicKey()), identity.exchangeKeys().open, psk);
+    NoiseExchange serverSide(prologueOf(identity.publicKey()), identity.exchangeKeys().publicKey, psk);
     Open open{cookie, {}};
     const Bytes first = clientSide.writeFirst(client, {});
     std::copy(first.begin(), first.end(), open.exchange.begin());
     EXPECT_TRUE(serverSide.readFirst(identity.exchangeKeys(), first));
-    Accept accept{echoOf(client.open), {}};
+    Accept accept{echoOf(client.publicKey), {}};
     const Bytes second = serverSide.writeSecond(KeyPair::of(keyOfBytes(3)), Bytes{5, 0});
     std::copy(second.begin(), second.end(), accept.exchange.begin());
     EXPECT_EQ(clientSide.readSecond(second), (Bytes{5, 0}));
     EXPECT_EQ(clientSide.split(), serverSide.split());
     SealedChannel toServer(SealedChannel::Side::kClient, clientSide.split(), 5);
     SealedChannel toClient(SealedChannel::Side::kServer, serverSide.split(), 5);
-    datagrams["knock"] = encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), client.open});
-    datagrams["cookie"] = encode(CookieReply{echoOf(client.open), true, identity.publicKey(), cookie});
+    datagrams["knock"] = encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), client.publicKey});
+    datagrams["cookie"] = encode(CookieReply{echoOf(client.publicKey), true, identity.publicKey(), cookie});
     datagrams["open"] = encode(open);
     datagrams["accept"] = encode(accept);
     datagrams["sealed-to-server"] = toServer.seal(Bytes{1, 2, 3});
@@ -45,7 +45,7 @@ struct Handshake {
     datagrams["query"] = encode(Query{0x0102030405060708});
     datagrams["info"] = encode(Info{static_cast<std::uint16_t>(kProtocolVersion), 0x0102030405060708,
                                     identity.publicKey(), true, 3, 16, "Platon", "0.1.0"});
-    datagrams["refusal"] = encode(Refusal{static_cast<std::uint16_t>(kProtocolVersion), echoOf(client.open),
+    datagrams["refusal"] = encode(Refusal{static_cast<std::uint16_t>(kProtocolVersion), echoOf(client.publicKey),
                                           RefusalReason::kBanned, "until tomorrow"});
   }
 

@@ -28,7 +28,7 @@ struct Vector {
   Bytes toClientPayload = fromHex("4361726c204d656e676572");
   Bytes toClient = fromHex("f14b1feb6ff970fc3993f1c2383f33fa48138bfc5aa2ee89e40107");
 
-  NoiseExchange side() const { return {prologue, server.open, presharedKey}; }
+  NoiseExchange side() const { return {prologue, server.publicKey, presharedKey}; }
 };
 
 Bytes sealed(const CryptoKey& key, ByteSpan plaintext) {
@@ -39,7 +39,7 @@ Bytes sealed(const CryptoKey& key, ByteSpan plaintext) {
 
 TEST(Noise, TheClientAgreesWithCacophony) {
   const Vector vector;
-  EXPECT_EQ(toHex(vector.server.open), "31e0303fd6418d2f8c0e78b91f22e8caed0fbe48656dcf4767e4834f701b8f62");
+  EXPECT_EQ(toHex(vector.server.publicKey), "31e0303fd6418d2f8c0e78b91f22e8caed0fbe48656dcf4767e4834f701b8f62");
   NoiseExchange client = vector.side();
   EXPECT_EQ(client.writeFirst(vector.clientEphemeral, vector.firstPayload), vector.first);
   EXPECT_EQ(client.readSecond(vector.second), vector.secondPayload);
@@ -95,7 +95,7 @@ TEST(Noise, KeysOfSmallOrderAndShortMessagesAreRefused) {
   }
 }
 
-TEST(Noise, RandomPairsDiffer) { EXPECT_NE(KeyPair::random().open, KeyPair::random().open); }
+TEST(Noise, RandomPairsDiffer) { EXPECT_NE(KeyPair::random().publicKey, KeyPair::random().publicKey); }
 
 // RFC 7539, appendix A.5, with the nonce of the Noise framework: its first four bytes are 0 there, too.
 TEST(Aead, OpensTheVectorOfTheRfc) {

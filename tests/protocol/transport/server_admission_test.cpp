@@ -235,10 +235,10 @@ TEST_F(ServerGateTest, ASiteDrainsNoBudgetsOfOtherHouseholds) {
     std::snprintf(household.data(), household.size(), "2001:db8:1:%x::1", i);
     const SocketAddress own = addressAt(household.data(), 4000);
     gate_->beginRound();
-    network_.inject(own, kServer, encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), keys.open}));
+    network_.inject(own, kServer, encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), keys.publicKey}));
     receive();
     Open open{decodeCookieReply(network_.sent().back().bytes)->cookie, {}};  // with a wrong exchange
-    std::copy(keys.open.begin(), keys.open.end(), open.exchange.begin());
+    std::copy(keys.publicKey.begin(), keys.publicKey.end(), open.exchange.begin());
     network_.inject(own, kServer, encode(open));
     receive();
     network_.forgetSent();

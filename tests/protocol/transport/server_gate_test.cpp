@@ -43,7 +43,7 @@ TEST_F(ServerGateTest, UntilACookieIsReturnedNothingIsKeptAndNoMoreIsSentThanCam
   start();
   std::size_t knocked = 0;
   for (int i = 1; i < 200; ++i) {
-    const Bytes knock = encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), KeyPair::random().open});
+    const Bytes knock = encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), KeyPair::random().publicKey});
     network_.inject(clientAt(i), kServer, knock);
     knocked += knock.size();
   }
@@ -57,7 +57,7 @@ TEST_F(ServerGateTest, UntilACookieIsReturnedNothingIsKeptAndNoMoreIsSentThanCam
 
 TEST_F(ServerGateTest, AClientOfAnotherVersionIsToldTheServers) {
   start();
-  const CryptoKey key = KeyPair::random().open;
+  const CryptoKey key = KeyPair::random().publicKey;
   network_.inject(clientAt(1), kServer, encode(Knock{99, key}));
   receive();
   const auto answers = sent(kServer, clientAt(1));

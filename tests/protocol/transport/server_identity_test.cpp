@@ -35,7 +35,7 @@ TEST(ServerIdentity, HasThePublicKeyOfTheRfc) {
 TEST(ServerIdentity, ClientsDeriveTheSameExchangeKey) {
   for (int i = 0; i < 10; ++i) {
     const ServerIdentity identity = ServerIdentity::random();
-    EXPECT_EQ(exchangeKeyOf(identity.publicKey()), identity.exchangeKeys().open);
+    EXPECT_EQ(exchangeKeyOf(identity.publicKey()), identity.exchangeKeys().publicKey);
   }
   EXPECT_EQ(exchangeKeyOf(CryptoKey{}), std::nullopt);  // of small order
 }
