@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/files/kept_file.h"
+#include "protocol/files/private_file.h"
 #include "protocol/transport/noise.h"
 #include "protocol/transport/server_address.h"
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "protocol/files/regular_file.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 

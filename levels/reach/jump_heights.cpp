@@ -113,7 +113,7 @@ bool JumpHeights::touches(std::uint32_t node, const Line& line) const {
 }
 
 void JumpHeights::put(const Place& place, double height) {
-  open_[static_cast<std::size_t>(std::clamp(height, 0.0, double{1} * kMostHeight))].push_back(place);
+  open_[static_cast<std::size_t>(std::clamp(height, 0.0, double{1} * kMaxHeight))].push_back(place);
 }
 
 std::optional<JumpHeights::Place> JumpHeights::take() {
@@ -135,7 +135,7 @@ bool JumpHeights::isOpen(std::uint32_t node, std::size_t cell) const {
 void JumpHeights::fall(std::uint32_t node, std::size_t cell) {
   if (!isOpen(node, cell) || fallen_[node][cell]) return;
   fallen_[node][cell] = true;
-  put({node, cell, Motion::kFall}, kMostHeight);
+  put({node, cell, Motion::kFall}, kMaxHeight);
   const ReachGrid::Cell& here = grids_[node][cell];
   reachesGoal_ = reachesGoal_ || here.atGoal;
   for (const ReachWall& wall : grids_[node].touched(cell)) touch(wall);
@@ -164,7 +164,7 @@ void JumpHeights::rise(std::uint32_t node, std::size_t cell, double apex) {
   if (!isOpen(node, cell) || grids_[node].rectOf(cell).low.y > apex) return;
   fall(node, cell);
   // A way along edges may sink by a cell at each of them, and nobody rises more than from the ground.
-  apex = std::min(apex, grids_[node].rectOf(cell).high.y + kMostHeight);
+  apex = std::min(apex, grids_[node].rectOf(cell).high.y + kMaxHeight);
   if (apex < apexes_[node][cell] + kLeastGain) return;
   apexes_[node][cell] = apex;
   put({node, cell, Motion::kRise}, apex - grids_[node].rectOf(cell).low.y);
@@ -176,7 +176,7 @@ void JumpHeights::dip(std::uint32_t node, std::size_t cell, double apex) {
   rise(node, cell, apex);
   if (apex < dips_[node][cell] + kLeastGain) return;
   dips_[node][cell] = apex;
-  put({node, cell, Motion::kDip}, kMostHeight);
+  put({node, cell, Motion::kDip}, kMaxHeight);
 }
 
 // Goes on in a cell of a node in whose frame y is larger by `risen`.

@@ -45,7 +45,7 @@ class JumpHeights {
     Motion motion;
   };
   static constexpr double kNever = -1e300;
-  static constexpr int kMostHeight = 100;  // level units
+  static constexpr int kMaxHeight = 100;  // level units
 
   bool stops();
   void measure();
@@ -72,10 +72,10 @@ class JumpHeights {
   double depth_ = 0;          // of a late jump below its highest point
   std::uint32_t opened_ = 0;  // bits of the doors that may be open
   std::vector<ReachGrid> grids_;
-  std::vector<std::vector<double>> apexes_;               // of rises, by node and cell
-  std::vector<std::vector<double>> dips_;                 // apexes of what follows dips, by node and cell
-  std::vector<std::vector<bool>> fallen_;                 // by node and cell
-  std::array<std::vector<Place>, kMostHeight + 1> open_;  // by the height that is left to rise, the largest first
+  std::vector<std::vector<double>> apexes_;              // of rises, by node and cell
+  std::vector<std::vector<double>> dips_;                // apexes of what follows dips, by node and cell
+  std::vector<std::vector<bool>> fallen_;                // by node and cell
+  std::array<std::vector<Place>, kMaxHeight + 1> open_;  // by the height that is left to rise, the largest first
 };
 
 }  // namespace platon

@@ -72,7 +72,7 @@ void Reach::setDoors(const Level& level) {
   }
   open_ = doors & openers;
   if (level.players > 1) return;
-  for (int numbers = 0; open_ != 0 && numbers < kMostNumbers; ++numbers) {
+  for (int numbers = 0; open_ != 0 && numbers < kMaxNumbers; ++numbers) {
     openable_ |= open_ & -open_;
     open_ &= open_ - 1;
   }

@@ -15,7 +15,7 @@ namespace platon {
 /// Where a player can get, at most, and with how few crossings of edges. Over-approximates the game: a place that is
 /// not reached here with n crossings is not reached in the game with n crossings, whatever is pressed, as long as what
 /// is assumed below holds. So it proves that a level needs its crossings. A door is open from where one of its keys or
-/// plates was touched, and for ever; on levels for several players, and of more than kMostNumbers numbers those beyond,
+/// plates was touched, and for ever; on levels for several players, and of more than kMaxNumbers numbers those beyond,
 /// from the start. A door without keys and plates is never open. More players than the level needs may get farther.
 ///
 /// What is assumed of a flight, by the rules of Player: it rises at most by the height of a jump above the ground from
@@ -34,7 +34,7 @@ class Reach {
   /// keys, plates or checkpoints.
   Reach(const Level& level, int maxCrossings, std::vector<ElementWord> without = {});
   /// As many numbers of doors are told apart: the time doubles with each.
-  static constexpr int kMostNumbers = 4;
+  static constexpr int kMaxNumbers = 4;
 
   /// The fewest crossings with which the goal may be reached; nothing when more than the maximum are needed.
   std::optional<int> crossingsToGoal() const { return toGoal_; }

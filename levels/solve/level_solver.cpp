@@ -6,7 +6,7 @@
 namespace platon {
 namespace {
 
-constexpr int kMostTicksToRest = 240;
+constexpr int kMaxTicksToRest = 240;
 constexpr int kTicksOfRest = 12;  // longer than a jump press is buffered
 constexpr std::uint32_t kAtGoal = UINT32_MAX;
 
@@ -85,7 +85,7 @@ void LevelSolver::play(Situation& situation, std::uint32_t slot, const std::vect
 // Waits until all players stand still. Returns false when one does not, or when the round is over.
 bool LevelSolver::settle(Situation& situation) const {
   int resting = 0;
-  for (int tick = 0; tick < kMostTicksToRest && resting < kTicksOfRest; ++tick) {
+  for (int tick = 0; tick < kMaxTicksToRest && resting < kTicksOfRest; ++tick) {
     const std::vector<EntityState> before(situation.game.world().entities().begin(),
                                           situation.game.world().entities().end());
     play(situation, 0, {Input{Input::kPresent}});

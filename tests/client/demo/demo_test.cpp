@@ -91,7 +91,7 @@ TEST(GoalDistance, AKeyIsOnTheWayToItsDoor) {
       << "the key is behind its door";
 }
 
-constexpr int kMostTicksStill = 2 * kTicksPerSecond;
+constexpr int kMaxTicksStill = 2 * kTicksPerSecond;
 
 // A closed room on face 0 with its goal at the right, and these segments in it.
 std::shared_ptr<const Level> roomLevel(const std::string& segments) {
@@ -175,7 +175,7 @@ TEST(Demo, StandsStillForAtMostTwoSecondsOnEveryLevel) {
     Demonstration all(level, level->players, 0);
     all.play(ticksOfWay(*level) + 1);  // one tick to join
     EXPECT_TRUE(all.game().over()) << file;
-    EXPECT_LE(all.mostTicksStill(), kMostTicksStill) << file;
+    EXPECT_LE(all.mostTicksStill(), kMaxTicksStill) << file;
   }
 }
 
@@ -195,7 +195,7 @@ TEST(Demo, AloneOnALevelForSeveralItPlaysItsPartAgainAndAgain) {
     if (level->players == 1) continue;
     Demonstration alone(level, 1, 0);
     alone.play(40 * kTicksPerSecond);
-    EXPECT_LE(alone.mostTicksStill(), kMostTicksStill) << file;
+    EXPECT_LE(alone.mostTicksStill(), kMaxTicksStill) << file;
   }
 }
 

@@ -85,7 +85,7 @@ class Explorer {
 
   void keep(const Seen& state) {
     const auto [place, isNew] = seen_.try_emplace(keyOf(state), states_.size());
-    if (!isNew || states_.size() >= kMostStates) return;
+    if (!isNew || states_.size() >= kMaxStates) return;
     states_.push_back(state);
     states_.back().visits = 0;
   }
@@ -103,7 +103,7 @@ class Explorer {
     return states_[best];
   }
 
-  static constexpr std::size_t kMostStates = 20000;
+  static constexpr std::size_t kMaxStates = 20000;
 
   sim::SeededRandom random_;
   std::uint8_t buttons_ = Input::kPresent;

@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t kSeed = 31;
 constexpr int kFaceSize = 220;
 // Of the ways that are compared: with each more of them, Reach takes ten times as long on crowded levels.
-constexpr int kMostCrossings = 1;
+constexpr int kMaxCrossings = 1;
 
 // PLATON_EXPLORE sets the ticks of each level.
 std::uint64_t exploredTicks() {
@@ -193,9 +193,9 @@ class ReachLawTest : public testing::TestWithParam<Case> {};
 
 TEST_P(ReachLawTest, NobodyGetsFarther) {
   const auto level = levelOf(GetParam().text);
-  const Reach reach(*level, kMostCrossings);
+  const Reach reach(*level, kMaxCrossings);
   // What needs as many crossings as the goal, or more, is not searched.
-  const int searched = std::min(kMostCrossings + 1, reach.crossingsToGoal().value_or(kMostCrossings + 1));
+  const int searched = std::min(kMaxCrossings + 1, reach.crossingsToGoal().value_or(kMaxCrossings + 1));
   Explorer explorer(level, kSeed);
   bool holds = true;
   explorer.play(exploredTicks(), [&](const Game& game, int crossings) {
@@ -225,9 +225,9 @@ TEST_P(ReachLawTest, NobodyGetsFartherWithoutKeys) {
   const auto level = levelOf(GetParam().text);
   const std::vector<ElementWord> keys = keysOf(*level);
   if (keys.empty()) return;
-  const Reach reach(*level, kMostCrossings, keys);
+  const Reach reach(*level, kMaxCrossings, keys);
   const JumpHeights heights(*level, {.without = keys});
-  const int searched = std::min(kMostCrossings + 1, reach.crossingsToGoal().value_or(kMostCrossings + 1));
+  const int searched = std::min(kMaxCrossings + 1, reach.crossingsToGoal().value_or(kMaxCrossings + 1));
   const auto isTaken = [&](const Game& game) {
     return std::any_of(level->elements.begin(), level->elements.end(), [&](const Element& element) {
       return element.kind == ElementKind::kKey && game.isTaken(element);

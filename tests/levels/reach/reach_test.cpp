@@ -166,7 +166,7 @@ TEST(ReachTest, WhoTookAKeyBehindAHazardGoesOnFromTheCheckpointBeforeIt) {
 TEST(ReachTest, DoorsOfManyNumbersAreOpenFromTheStart) {
   std::string doors;
   std::string keys;
-  for (int number = 0; number <= Reach::kMostNumbers; ++number) {
+  for (int number = 0; number <= Reach::kMaxNumbers; ++number) {
     doors += std::to_string(60 + number) + " -200 " + std::to_string(60 + number) + " -20 door " +
              std::to_string(number) + "\n";
     keys += "0 -180 0 -160 key " + std::to_string(number) + "\n";
