@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <utility>
 
-#include "client/audio/pads.h"
+#include "client/audio/music.h"
 
 namespace platon {
 namespace {
@@ -15,6 +16,22 @@ constexpr double kRollGain = 0.5;        // at full speed
 constexpr double kRollSmoothing = 0.07;  // seconds in which the heard speed follows to 1/e
 
 }  // namespace
+
+void MusicFade::advance(std::optional<SolidKind> solid, double seconds) {
+  const double step = seconds / kFadeSeconds;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const bool heard = solid && static_cast<std::size_t>(*solid) == i;
+    parts_[i] = std::clamp(parts_[i] + (heard ? step : -step), 0.0, 1.0);
+  }
+  const double range = 1 - kDuckGain;
+  duckGain_ += duckLeft_ > 0 ? -range * seconds / kAttackSeconds : range * seconds / kReleaseSeconds;
+  duckGain_ = std::clamp(duckGain_, kDuckGain, 1.0);
+  duckLeft_ = std::max(0.0, duckLeft_ - seconds);
+}
+
+double MusicFade::gain(SolidKind solid) const {
+  return duckGain_ * std::sin(parts_[static_cast<std::size_t>(solid)] * std::numbers::pi / 2);
+}
 
 Audio::Audio(Open open) {
   loading_.add([open = std::move(open)](const std::stop_token& stop) { return load(open, stop); });
@@ -68,27 +85,27 @@ void Audio::updateRoll(double speed, double seconds) {
 
 void Audio::updateMusic(const SoundFrame& frame, double seconds) {
   if (frame.celebrates) fade_.duck();
-  takePads();
-  fade_.advance(frame.solid && hasPad(*frame.solid) ? frame.solid : std::nullopt, seconds);
-  for (std::size_t i = 0; i < pads_.size(); ++i) {
-    if (!pads_[i] || !pads_[i]->loop) continue;
-    ready_->output->setLoop(*pads_[i]->loop, fade_.gain(static_cast<SolidKind>(i)), 1);
+  takeMusic();
+  fade_.advance(frame.solid && hasMusic(*frame.solid) ? frame.solid : std::nullopt, seconds);
+  for (std::size_t i = 0; i < music_.size(); ++i) {
+    if (!music_[i] || !music_[i]->loop) continue;
+    ready_->output->setLoop(*music_[i]->loop, fade_.gain(static_cast<SolidKind>(i)), 1);
   }
 }
 
-// Whether the pad can be heard. The first time, starts to make it.
-bool Audio::hasPad(SolidKind solid) {
-  std::optional<Pad>& pad = pads_[static_cast<std::size_t>(solid)];
-  if (!pad) pad.emplace().making.add([solid](const std::stop_token&) { return makePad(solid); });
-  return pad->loop.has_value();
+// Whether the music of the solid can be heard. The first time, starts to make it.
+bool Audio::hasMusic(SolidKind solid) {
+  std::optional<Music>& music = music_[static_cast<std::size_t>(solid)];
+  if (!music) music.emplace().making.add([solid](const std::stop_token&) { return makeMusic(solid); });
+  return music->loop.has_value();
 }
 
-void Audio::takePads() {
-  for (std::optional<Pad>& pad : pads_) {
-    const std::optional<JobResult<Pcm>> made = pad ? pad->making.poll() : std::nullopt;
+void Audio::takeMusic() {
+  for (std::optional<Music>& music : music_) {
+    const std::optional<JobResult<Pcm>> made = music ? music->making.poll() : std::nullopt;
     if (!made || !made->value) continue;  // without memory for it, there is no music
     const OpenalOutput::Buffer buffer = ready_->output->addBuffer(*made->value);
-    pad->loop = ready_->output->startLoop(buffer, OpenalOutput::Group::kMusic);
+    music->loop = ready_->output->startLoop(buffer, OpenalOutput::Group::kMusic);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "client/audio/pcm.h"
+#include "client/audio/wave.h"
 
 namespace platon {
 

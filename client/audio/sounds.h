@@ -2,12 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
-#include "client/audio/pcm.h"
+#include "client/audio/wave.h"
+#include "platon/game/solid.h"
 
 namespace platon {
 
-/// The sounds of the game, except the pads. All are in the pentatonic scale on D, as the pads are, so that whatever
+/// The sounds of the game, except the music. All are in the pentatonic scale on D, as the music is, so that whatever
 /// sounds together fits.
 enum class Sound : std::uint8_t {
   kRoll,  ///< a loop; the others end
@@ -42,5 +45,22 @@ double pentatonic(int step);
 
 /// Makes the samples, mono. Always the same ones.
 Pcm makeSound(Sound sound);
+
+/// That a sound is to be played once.
+struct Cue {
+  Sound sound = Sound::kJump;
+  double gain = 1;                      ///< 0 … 1
+  double pan = 0;                       ///< −1 left … 1 right
+  double pitch = 1;                     ///< factor of the frequency
+  std::optional<std::uint32_t> slot{};  ///< the player whose it is; nothing: nobody's
+};
+
+/// What is to be heard from one frame of the game to the next.
+struct SoundFrame {
+  std::vector<Cue> cues{};
+  double roll = 0;                   ///< speed of the local player on the ground, 0 … 1: a run
+  bool celebrates = false;           ///< the local player has just reached the goal
+  std::optional<SolidKind> solid{};  ///< whose music is played; nothing: none
+};
 
 }  // namespace platon

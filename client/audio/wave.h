@@ -5,9 +5,20 @@
 #include <span>
 #include <vector>
 
-#include "client/audio/pcm.h"
-
 namespace platon {
+
+/// Sample rate of every sound, frames per second.
+inline constexpr int kSampleRate = 48000;
+/// Largest magnitude of a sample of any sound: −3 dBFS.
+inline constexpr std::int16_t kMaxSample = 23197;
+
+/// A sound as samples.
+struct Pcm {
+  int channels = 1;                   ///< 1, or 2: left and right
+  std::vector<std::int16_t> samples;  ///< interleaved
+
+  std::size_t frames() const { return samples.size() / static_cast<std::size_t>(channels); }
+};
 
 /// A decaying sine, optionally gliding. Seconds and hertz.
 struct Tone {
@@ -40,7 +51,7 @@ class Wave {
 
   void add(const Tone& tone);
   void add(const Puff& puff);
-  /// A sine that rises and falls along a cosine over its whole duration, for pads.
+  /// A sine that rises and falls along a cosine over its whole duration, for music.
   void addSwell(double start, double seconds, double frequency, double level);
   /// Noise of constant loudness that has no seam. Only for loops. `seed` selects the noise.
   void addBreath(double cutoff, double level, std::uint32_t seed);

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "client/audio/player_cues.h"
+#include "client/audio/sound_cues.h"
 #include "client/scene/solid_mesh.h"
 #include "levels/drawing/solid_frame.h"
 #include "platon/game/game.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/audio/pads.h"
+#include "client/audio/music.h"
 #include "client/audio/sounds.h"
 
 // On OpenAL's loopback device, which needs no sound card.
@@ -88,7 +88,7 @@ TEST_F(OpenalOutputTest, ALoopRepeatsWithoutEnd) {
 
 TEST_F(OpenalOutputTest, AGroupIsMutedAtOnce) {
   const OpenalOutput::Loop music =
-      output_->startLoop(output_->addBuffer(makePad(SolidKind::kHexahedron)), Group::kMusic);
+      output_->startLoop(output_->addBuffer(makeMusic(SolidKind::kHexahedron)), Group::kMusic);
   output_->setLoop(music, 1, 1);
   output_->setGain(Group::kEffects, 0);
   EXPECT_GT(loudness(output_->render(kSampleRate), 0), 0.01);
@@ -106,7 +106,7 @@ TEST_F(OpenalOutputTest, AGroupIsMutedAtOnce) {
 // A run, music, and what can happen at about the same time, all at full volume.
 TEST_F(OpenalOutputTest, ManySoundsTogetherDoNotClip) {
   for (const SolidKind solid : {SolidKind::kTetrahedron, SolidKind::kIcosahedron}) {
-    output_->setLoop(output_->startLoop(output_->addBuffer(makePad(solid)), Group::kMusic), 0.7, 1);
+    output_->setLoop(output_->startLoop(output_->addBuffer(makeMusic(solid)), Group::kMusic), 0.7, 1);
   }
   output_->setLoop(output_->startLoop(output_->addBuffer(makeSound(Sound::kRoll)), Group::kEffects), 0.5, 1);
   for (const Sound sound : {Sound::kLand, Sound::kGoal, Sound::kEdge}) {

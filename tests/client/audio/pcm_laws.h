@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "client/audio/pcm.h"
+#include "client/audio/wave.h"
 
 namespace platon {
 

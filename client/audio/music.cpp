@@ -1,4 +1,4 @@
-#include "client/audio/pads.h"
+#include "client/audio/music.h"
 
 #include <array>
 #include <cmath>
@@ -13,10 +13,10 @@ namespace platon {
 namespace {
 
 constexpr std::size_t kChords = 4;
-constexpr double kChordSeconds = double{kPadSeconds} / kChords;
+constexpr double kChordSeconds = double{kMusicSeconds} / kChords;
 constexpr double kOverlap = 1.6;  // length of a swell in lengths of a chord
 
-// A single note that falls into a pad like a drop.
+// A single note that falls into the music like a drop.
 struct Drop {
   double start;
   int step;
@@ -28,7 +28,7 @@ struct Mood {
   double detune;                                 // between left and right, part of the frequency
   double breathCutoff;                           // hertz
   double breathLevel;
-  int trembles;  // periods over the pad
+  int trembles;  // periods over the music
   double trembleDepth;
   std::vector<Drop> drops;
   double dropLevel;
@@ -159,7 +159,7 @@ void addDrops(Wave& wave, const Mood& mood, double delay) {
 }
 
 Wave makeSide(const Mood& mood, bool right) {
-  Wave wave(kPadSeconds, Wave::Shape::kLoop);
+  Wave wave(kMusicSeconds, Wave::Shape::kLoop);
   for (std::size_t chord = 0; chord < kChords; ++chord) addChord(wave, mood, chord, right ? 1 + mood.detune : 1);
   addDrops(wave, mood, right ? 0.11 : 0);
   wave.addBreath(mood.breathCutoff, 20 * mood.breathLevel, right ? 3 : 5);
@@ -169,7 +169,7 @@ Wave makeSide(const Mood& mood, bool right) {
 
 }  // namespace
 
-Pcm makePad(SolidKind solid) {
+Pcm makeMusic(SolidKind solid) {
   const Mood mood = moodOf(solid);
   const std::array<Wave, 2> sides{makeSide(mood, false), makeSide(mood, true)};
   return finishLoop(sides, 0.7);
