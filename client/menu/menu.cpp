@@ -59,30 +59,30 @@ void Menu::push(PageMaker page) {
   const std::size_t focus = firstFocus(page());
   pages_.push_back({std::move(page), focus, 0});
   rest_ = pointer_;
-  note(Deed::kChosen);
+  note(Feedback::kChosen);
   aside_ = dragging_ = false;
 }
 
 void Menu::back() {
   if (!isOpen()) return;
   pages_.pop_back();
-  note(Deed::kChosen);
+  note(Feedback::kChosen);
   aside_ = dragging_ = false;
 }
 
 void Menu::close() {
-  if (isOpen()) note(Deed::kChosen);
+  if (isOpen()) note(Feedback::kChosen);
   pages_.clear();
 }
 
 // By the player.
 void Menu::focusOn(std::size_t item) {
-  if (item != focus()) note(Deed::kMoved);
+  if (item != focus()) note(Feedback::kMoved);
   setFocus(item);
 }
 
 void Menu::choose(const MenuItem& item) {
-  note(Deed::kChosen);
+  note(Feedback::kChosen);
   item.choose();
 }
 
@@ -137,7 +137,7 @@ void Menu::handle(const KeyEvent& event, const Font& font) {
   rest_ = pointer_;
   const MenuPage page = make();
   if (page.takeKey) {
-    if (event.kind == KeyEvent::Kind::kPress) note(Deed::kChosen);
+    if (event.kind == KeyEvent::Kind::kPress) note(Feedback::kChosen);
     return page.takeKey(event);
   }
   const MenuItem& item = page.items[focus()];
@@ -172,7 +172,7 @@ void Menu::perform(Command command, const MenuPage& page) {
 
 void Menu::leave(const MenuPage& page) {
   if (page.back) {
-    note(Deed::kChosen);
+    note(Feedback::kChosen);
     return page.back();
   }
   if (pages_.size() > 1) back();
@@ -191,7 +191,7 @@ void Menu::change(const MenuPage& page, int direction) {
   const MenuItem& item = page.items[focus()];
   if (!hasValue(item)) return;
   aside_ = page.standsAside;
-  note(Deed::kMoved);
+  note(Feedback::kMoved);
   item.step(direction);
 }
 
@@ -264,7 +264,7 @@ void Menu::drag(const MenuPage& page, const MenuRow& row, glm::vec2 place) {
   aside_ = page.standsAside;
   const double part = (place.x - row.control.low.x) / std::max(row.control.width(), 1.0F);
   page.items[row.item].set(std::clamp(part, 0.0, 1.0));
-  if (pages_.back().make().items[row.item].value != page.items[row.item].value) note(Deed::kMoved);
+  if (pages_.back().make().items[row.item].value != page.items[row.item].value) note(Feedback::kMoved);
 }
 
 // The focus stays under the pointer, or goes with the rows.

@@ -27,7 +27,7 @@ class Menu {
   using PageMaker = std::function<MenuPage()>;
 
   /// What the menu has done, from the least to the most important.
-  enum class Deed : std::uint8_t {
+  enum class Feedback : std::uint8_t {
     kNone,
     kMoved,  ///< the focus, or a value
     kChosen  ///< an item, or another page
@@ -56,7 +56,7 @@ class Menu {
   void handle(const PointerEvent& event, const Font& font);
 
   /// The most important thing that the menu has done since the last call, by keys, gamepad, mouse or program.
-  Deed takeDeed() { return std::exchange(deed_, Deed::kNone); }
+  Feedback takeFeedback() { return std::exchange(feedback_, Feedback::kNone); }
 
   /// Whether only the item whose value is being changed is shown, so that the picture behind it can be judged.
   bool standsAside() const { return aside_; }
@@ -80,7 +80,7 @@ class Menu {
   MenuPage present() const;
   MenuPage make();
   MenuLayout layoutOf(const MenuPage& page, const Font& font, bool followsFocus) const;
-  void note(Deed deed) { deed_ = std::max(deed_, deed); }
+  void note(Feedback feedback) { feedback_ = std::max(feedback_, feedback); }
   void focusOn(std::size_t item);
   void choose(const MenuItem& item);
   void moveFocus(const MenuPage& page, int direction);
@@ -103,7 +103,7 @@ class Menu {
   std::optional<glm::vec2> rest_;     // where it has been since the last key or page; nothing: it has moved since
   bool dragging_ = false;             // the slider that has the focus
   bool aside_ = false;
-  Deed deed_ = Deed::kNone;
+  Feedback feedback_ = Feedback::kNone;
 };
 
 }  // namespace platon

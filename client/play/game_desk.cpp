@@ -48,7 +48,7 @@ void GameDesk::update(const Frame& frame) {
   fit();
   window.setFullscreen(settings().fullscreen);
   window.setVsync(settings().vsync);
-  sound.menu(menu.takeDeed());
+  sound.menu(menu.takeFeedback());
   settingsFile.update(settings(), frame.now);
   view.setQuality(trial.quality(settings().quality));
   toldSeconds_ -= frame.seconds;

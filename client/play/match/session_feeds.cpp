@@ -91,8 +91,9 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, SceneE
   return makeScene(source);
 }
 
-void SoundFeed::menu(Menu::Deed deed) {
-  if (deed != Menu::Deed::kNone) audio_.play(deed == Menu::Deed::kMoved ? Sound::kMenuMove : Sound::kMenuChoose);
+void SoundFeed::menu(Menu::Feedback feedback) {
+  if (feedback == Menu::Feedback::kNone) return;
+  audio_.play(feedback == Menu::Feedback::kMoved ? Sound::kMenuMove : Sound::kMenuChoose);
 }
 
 void SoundFeed::update(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds,

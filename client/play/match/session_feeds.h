@@ -50,7 +50,7 @@ class SoundFeed {
   explicit SoundFeed(Audio::Open open = &OpenalOutput::open) : audio_(std::move(open)) {}
 
   /// Plays what the menu has done since the last frame.
-  void menu(Menu::Deed deed);
+  void menu(Menu::Feedback feedback);
   /// Plays what a frame brings, `seconds` after the last one. `session` and `scene`: null while there is none, also
   /// during an outage. `nextRoundSeconds`: until the next round starts, if that is known.
   void update(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds,

@@ -416,39 +416,39 @@ TEST_F(MenuTest, AFocusBeyondTheEndOfAShorterPageGoesToItsFirstItem) {
   EXPECT_EQ(chosen_, (std::vector<std::size_t>{1}));
 }
 
-TEST_F(MenuTest, TellsTheSameDeedsWhateverTheDevice) {
+TEST_F(MenuTest, GivesTheSameFeedbackWhateverTheDevice) {
   const std::vector<std::vector<Key>> devices{{Key::kArrowDown, Key::kArrowRight, Key::kEnter},
                                               {Key::kS, Key::kD, Key::kSpace},
                                               {Key::kPadDown, Key::kPadRight, Key::kPadA}};
   for (const std::vector<Key>& keys : devices) {
     openValues(kChoice);
-    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen) << "another page";
-    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+    EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kChosen) << "another page";
+    EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kNone);
     tap(keys[0]);
-    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kMoved);
+    EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kMoved);
     tap(keys[1]);
-    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kMoved);
+    EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kMoved);
     menu_.setFocus(1);
     tap(keys[2]);
-    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen);
+    EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kChosen);
     tap(Key::kShift);
-    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+    EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kNone);
   }
 }
 
-TEST_F(MenuTest, TellsTheDeedsOfTheMouse) {
+TEST_F(MenuTest, GivesFeedbackToTheMouse) {
   openList(4);
-  menu_.takeDeed();
+  menu_.takeFeedback();
   point(PointerEvent::Kind::kMove, middle(row(2).box));
-  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kMoved);
+  EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kMoved);
   point(PointerEvent::Kind::kMove, middle(row(2).box));
-  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+  EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kNone);
   click(middle(row(2).box));
-  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen);
+  EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kChosen);
   menu_.close();
-  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen);
+  EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kChosen);
   menu_.close();
-  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+  EXPECT_EQ(menu_.takeFeedback(), Menu::Feedback::kNone);
 }
 
 }  // namespace

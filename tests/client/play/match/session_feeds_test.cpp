@@ -164,14 +164,14 @@ TEST_F(SoundFeedTest, WithoutASessionNothingIsHeard) {
 }
 
 TEST_F(SoundFeedTest, WhatTheMenuDoesIsHeard) {
-  feed_.menu(Menu::Deed::kNone);
+  feed_.menu(Menu::Feedback::kNone);
   EXPECT_EQ(hear(), 0);
-  feed_.menu(Menu::Deed::kMoved);
+  feed_.menu(Menu::Feedback::kMoved);
   EXPECT_GT(hear(), 0.01);
 }
 
 TEST_F(SoundFeedTest, AChosenItemIsHeard) {
-  feed_.menu(Menu::Deed::kChosen);
+  feed_.menu(Menu::Feedback::kChosen);
   EXPECT_GT(hear(), 0.01);
 }
 
