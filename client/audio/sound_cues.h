@@ -8,7 +8,6 @@
 #include <glm/vec3.hpp>
 
 #include "client/audio/sounds.h"
-#include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 #include "platon/game/game.h"
 

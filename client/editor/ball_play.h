@@ -8,7 +8,6 @@
 #include "client/scene/scene.h"
 #include "client/ui/controls/input_mapper.h"
 #include "client/ui/key.h"
-#include "client/ui/steering.h"
 #include "platon/game/game.h"
 
 namespace platon {

@@ -1,6 +1,6 @@
 #include "client/editor/editor_menu.h"
 
-#include "client/ui/text_scale.h"
+#include "client/ui/overlay.h"
 
 namespace platon {
 

@@ -5,9 +5,8 @@
 #include <cstdio>
 
 #include "client/editor/level_document.h"
-#include "client/ui/overlay_writer.h"
-#include "client/ui/text_scale.h"
-#include "client/ui/text_wrap.h"
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
 
 namespace platon {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/hud/hud_space.h"
-#include "client/ui/high_contrast_overlay.h"
+#include "client/ui/overlay.h"
 
 namespace platon {
 namespace {

@@ -14,7 +14,6 @@
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 #include "client/ui/settings.h"
-#include "client/ui/text_scale.h"
 
 namespace platon {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "client/ui/controls/gamepad_keys.h"
-#include "client/ui/controls/gamepad_state.h"
 #include "client/ui/key.h"
 #include "client/ui/pointer_event.h"
 

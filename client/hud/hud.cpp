@@ -1,29 +1,67 @@
 #include "client/hud/hud.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "client/hud/edge_sign.h"
 #include "client/hud/hud_space.h"
-#include "client/ui/fitted_text.h"
-#include "client/ui/key_help.h"
-#include "client/ui/overlay_writer.h"
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
 #include "client/ui/solid_text.h"
-#include "client/ui/text_scale.h"
-#include "client/ui/text_wrap.h"
 
 namespace platon {
 namespace {
 
 using namespace overlay_colours;
+
+// Counter-clockwise from the right, each for an eighth of a turn around it.
+constexpr std::array<const char*, 8> kArrows{"→", "↗", "↑", "↖", "←", "↙", "↓", "↘"};
+
+const char* arrowOf(glm::dvec2 direction) {
+  const double eighths = std::atan2(-direction.y, direction.x) * 4 / std::numbers::pi;
+  return kArrows[static_cast<std::size_t>(std::lround(eighths) + 8) % kArrows.size()];
+}
+
+constexpr float kHelpMargin = 16;
+constexpr float kHelpSize = kSmallestText;
+constexpr float kHelpRowHeight = 22;
+constexpr float kHelpGap = 18;
+
+using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning
+
+// `brief`: one key or button of each control.
+std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
+  const auto keys = [&](Control control) { return brief ? hints.of(control) : hints.keys(control); };
+  const auto pad = [brief](const std::string& button) { return brief ? std::string() : button; };
+  const auto row = [&](Control control, const char* meaning) {
+    return Row{keys(control), pad(hints.pad(control)), meaning};
+  };
+  const std::string run = brief ? hints.of(Control::kLeft) + " " + hints.of(Control::kRight) : hints.run();
+  return {{run, pad("stick: 3 speeds"), "run"},
+          row(Control::kSlow, "run slower"),
+          row(Control::kJump, "jump; hold to jump higher"),
+          row(Control::kUp, "jump, or move up the screen"),
+          row(Control::kDown, "fall faster"),
+          {keys(Control::kLook) + " and arrows", pad("right stick"), "look round the solid"},
+          row(Control::kRestart, "back to the start"),
+          row(Control::kVote, "next level, or a vote for it"),
+          row(Control::kWatch, "after the goal: watch others"),
+          row(Control::kSay, "talk to all players"),
+          {"F1", "", "help"},
+          {"F3", "", "connection graph"},
+          {"F11", "", "full screen"},
+          {"Esc", pad("Start"), "pause, settings, leave"}};
+}
 
 constexpr std::size_t kMaxRows = 12;
 constexpr std::size_t kMaxResults = 8;
@@ -277,6 +315,41 @@ void placeTexts(HudSpace& space, const HudStatus& status, const LowerTexts& own,
 }
 
 }  // namespace
+
+std::optional<EdgeSign> edgeSignOf(glm::dvec4 clip, glm::vec2 screen, glm::vec2 reach) {
+  const bool before = clip.w > 0;
+  if (before && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w) return std::nullopt;
+  // What is behind the camera is projected to the opposite side.
+  const double side = before ? 1 : -1;
+  glm::dvec2 way(side * clip.x * screen.x, -side * clip.y * screen.y);
+  if (glm::length(way) < 1e-9) way = {0, 1};
+  const glm::dvec2 direction = glm::normalize(way);
+  const double toSide = reach.x / std::max(std::abs(direction.x), 1e-9);
+  const double toTop = reach.y / std::max(std::abs(direction.y), 1e-9);
+  const glm::vec2 place = screen / 2.0F + glm::vec2(direction * std::min(toSide, toTop));
+  return EdgeSign{glm::vec2(direction), place, arrowOf(direction)};
+}
+
+void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief) {
+  const std::vector<Row> rows = rowsOf(keys, brief);
+  std::array<float, 3> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (!row[i].empty()) widths[i] = std::max(widths[i], writer.width(row[i], kHelpSize) + kHelpGap);
+    }
+  }
+  const glm::vec2 size(widths[0] + widths[1] + widths[2] + kHelpGap,
+                       kHelpRowHeight * static_cast<float>(rows.size()) + 20);
+  const glm::vec2 low(kHelpMargin, Overlay::kHeight - kHelpMargin - size.y);
+  writer.panel(low, low + size, 12, kPanel);
+  glm::vec2 place = low + glm::vec2(kHelpGap, 27);
+  for (const auto& [key, pad, meaning] : rows) {
+    writer.left(key, place, kHelpSize, kBright);
+    writer.left(pad, place + glm::vec2(widths[0], 0), kHelpSize, kBright);
+    writer.left(meaning, place + glm::vec2(widths[0] + widths[1], 0), kHelpSize, kSoft);
+    place.y += kHelpRowHeight;
+  }
+}
 
 std::string clockText(double seconds) {
   if (seconds < 10) {

@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
 #include "client/hud/net_graph.h"
 #include "client/hud/results_panel.h"
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
-#include "client/ui/controls/key_hints.h"
+#include "client/ui/controls/key_names.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 #include "client/ui/run_timer.h"
@@ -57,5 +60,20 @@ Overlay makeNotice(const std::string& notice, const Font& font, float width, flo
 /// vote, message, notice, hint, graph and help. Nothing overlaps and all is on the screen; what finds no room is
 /// shortened or left out.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
+
+/// Where the border of the screen shows that something lies beyond it.
+struct EdgeSign {
+  glm::vec2 direction{0};       ///< from the middle of the screen, of length 1, +y down
+  glm::vec2 place{0};           ///< on a rectangle around the middle of the screen
+  const char* arrow = nullptr;  ///< the arrow that comes nearest to the direction
+};
+
+/// The sign of a point that is projected to `clip`; nothing if the picture shows it. `reach`: half the size of the
+/// rectangle on which signs stand, at most half of `screen`.
+std::optional<EdgeSign> edgeSignOf(glm::dvec4 clip, glm::vec2 screen, glm::vec2 reach);
+
+/// Adds the table of keys, buttons and their meaning at the lower left. `brief`: with one key or button of each
+/// control.
+void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief);
 
 }  // namespace platon

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "client/ui/overlay_writer.h"
-#include "client/ui/text_scale.h"
+#include "client/ui/overlay.h"
 #include "platon/exact/integer.h"
 
 namespace platon {

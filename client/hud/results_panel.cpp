@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "client/ui/fitted_text.h"
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
-#include "client/ui/text_scale.h"
-#include "client/ui/text_wrap.h"
 
 namespace platon {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "client/scene/scene.h"
-#include "client/ui/controls/key_hints.h"
-#include "client/ui/overlay_writer.h"
+#include "client/ui/controls/key_names.h"
+#include "client/ui/overlay.h"
 #include "client/ui/run_timer.h"
 
 namespace platon {

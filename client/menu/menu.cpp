@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "client/menu/menu_painter.h"
+#include "client/menu/menu_layout.h"
 
 namespace platon {
 namespace {

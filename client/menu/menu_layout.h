@@ -9,6 +9,7 @@
 
 #include "client/menu/menu_page.h"
 #include "client/ui/font.h"
+#include "client/ui/overlay.h"
 
 namespace platon {
 
@@ -63,5 +64,16 @@ float endOfLeftColumn(glm::vec2 screen);
 
 /// Lays out a page on a screen of this size. Text that is too long is cut and ends with an ellipsis.
 MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, const MenuScroll& scroll);
+
+/// How a page is shown.
+struct MenuLook {
+  std::size_t focus = 0;     ///< item
+  bool aside = false;        ///< only the item with the focus is shown
+  bool dimsPicture = false;  ///< behind the menu
+  float scale = 1;           ///< of a unit of the layout on the virtual screen
+};
+
+/// The picture of a page that lies like this on a virtual screen of this width.
+Overlay paintMenu(const MenuPage& page, const MenuLayout& layout, const MenuLook& look, const Font& font, float width);
 
 }  // namespace platon

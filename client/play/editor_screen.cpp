@@ -6,8 +6,7 @@
 #include <variant>
 
 #include "client/editor/new_level.h"
-#include "client/ui/high_contrast_overlay.h"
-#include "client/ui/text_scale.h"
+#include "client/ui/overlay.h"
 #include "protocol/program_error.h"
 
 namespace platon {

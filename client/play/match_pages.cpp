@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "client/menu/pages/pause_page.h"
-#include "client/menu/pages/say_page.h"
 
 namespace platon {
 

@@ -13,10 +13,9 @@
 #include "client/play/match/live_match.h"
 #include "client/play/match_pages.h"
 #include "client/play/screen.h"
-#include "client/ui/controls/mouse_look.h"
+#include "client/ui/controls/input_mapper.h"
 #include "client/ui/skip_question.h"
 #include "client/ui/spectator.h"
-#include "client/ui/steering.h"
 
 namespace platon {
 

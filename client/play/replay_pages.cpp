@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "client/menu/pages/run_page.h"
+#include "client/menu/pages/replays_page.h"
 #include "client/ui/player_rows.h"
 
 namespace platon {

@@ -7,8 +7,8 @@
 #include "client/hud/hud.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/replay/replay.h"
+#include "client/ui/overlay.h"
 #include "client/ui/replay_bar.h"
-#include "client/ui/text_scale.h"
 
 namespace platon {
 

@@ -5,7 +5,7 @@
 #include "client/gl/game_view.h"
 #include "client/hud/net_graph.h"
 #include "client/play/offscreen/local_game.h"
-#include "client/ui/controls/key_hints.h"
+#include "client/ui/controls/key_names.h"
 #include "client/ui/overlay.h"
 #include "client/ui/settings.h"
 #include "platon/game/game.h"

@@ -7,7 +7,7 @@
 
 #include "client/menu/menu_layout.h"
 #include "client/menu/pages/failure_page.h"
-#include "client/menu/pages/level_card.h"
+#include "client/menu/pages/levels_page.h"
 #include "client/play/match_screen.h"
 #include "client/play/replay_screen.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "client/menu/pages/turntable.h"
+#include "client/menu/pages/levels_page.h"
 #include "client/play/front_pages.h"
 #include "client/play/game_desk.h"
 #include "client/play/screen.h"

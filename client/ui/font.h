@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -26,5 +28,12 @@ class Font : public Typeface {
 
   Glyph glyph(char32_t codePoint) const;
 };
+
+/// The text if it is at most `width` wide at size 1, or else its longest beginning that is with an ellipsis.
+std::string fittedText(std::string_view text, const Font& font, float width);
+
+/// Breaks a text at its spaces into lines that are at most `width` wide, at size 1. A word that is wider is broken
+/// between code points; a line has at least one of them.
+std::vector<std::string> wrapText(std::string_view utf8, const Font& font, float width);
 
 }  // namespace platon

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "client/ui/overlay_writer.h"
+#include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 

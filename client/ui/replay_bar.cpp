@@ -5,10 +5,9 @@
 #include <string>
 
 #include "client/netcode/player_snapshot.h"
-#include "client/ui/fitted_text.h"
-#include "client/ui/overlay_writer.h"
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
-#include "client/ui/text_scale.h"
 
 namespace platon {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
-#include "client/ui/text_scale.h"
 #include "platon/game/game.h"
 
 namespace platon {

@@ -5,7 +5,7 @@
 
 #include "client/scene/scene.h"
 #include "client/ui/medal.h"
-#include "client/ui/overlay_writer.h"
+#include "client/ui/overlay.h"
 
 namespace platon {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "client/scene/scene.h"
-#include "client/ui/controls/key_hints.h"
+#include "client/ui/controls/key_names.h"
 
 namespace platon {
 

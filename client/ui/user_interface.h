@@ -4,9 +4,8 @@
 #include <utility>
 
 #include "client/scene/camera_controls.h"
-#include "client/ui/controls/held_keys.h"
 #include "client/ui/controls/input_mapper.h"
-#include "client/ui/controls/key_hints.h"
+#include "client/ui/controls/key_names.h"
 #include "client/ui/key.h"
 #include "client/ui/settings.h"
 

@@ -275,7 +275,7 @@ CLIENT_FAULTS = [
               "GlyphAtlasTest.GlyphsDoNotOverlapAndLieInTheTexture"),
 
     # Keys, menus and texts.
-    Fault("controls-turn-while-held", UI + "steering.cpp", "} else if (!anyHeld) {", "} else {",
+    Fault("controls-turn-while-held", UI + "controls/input_mapper.cpp", "} else if (!anyHeld) {", "} else {",
           "the direction of a held key changes when the camera rolls",
           "Steering.AHeldDirectionKeepsItsMeaning"),
     at_length("tapped-key-lost", UI + "controls/input_mapper.cpp", "active = held_ | pressed_;", "active = held_;",
@@ -314,11 +314,11 @@ CLIENT_FAULTS = [
               "  if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;\n", "",
               "names of players behind the solid are drawn",
               "Hud.OnlyVisibleOtherPlayersHaveNameTags"),
-    at_length("sign-of-what-is-seen", "client/hud/edge_sign.cpp",
+    at_length("sign-of-what-is-seen", "client/hud/hud.cpp",
               "std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w", "false",
               "a player in the picture has an arrow at its border",
               "EdgeSign.WhatThePictureShowsHasNone"),
-    at_length("sign-behind-is-mirrored", "client/hud/edge_sign.cpp", "before ? 1 : -1", "1",
+    at_length("sign-behind-is-mirrored", "client/hud/hud.cpp", "before ? 1 : -1", "1",
               "the arrow to somebody behind the camera points away from it",
               "EdgeSign.StandsOnTheRectangleInTheDirectionOfThePoint"),
     # Controls.

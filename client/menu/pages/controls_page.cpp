@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "client/ui/controls/key_hints.h"
 #include "client/ui/controls/key_names.h"
 
 namespace platon {

@@ -1,13 +1,26 @@
 #include "client/menu/pages/levels_page.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
+#include "client/menu/menu_layout.h"
+#include "client/scene/camera_target.h"
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
+#include "platon/game/game.h"
 
 namespace platon {
 namespace {
+
+using namespace overlay_colours;
 
 // A row of the page: a level, or the heading of those that follow.
 struct Row {
@@ -65,6 +78,38 @@ MenuItem itemOf(const LevelEntry& level) {
   return item;
 }
 
+constexpr double kTurnPerSecond = 2 * std::numbers::pi / 40;
+constexpr double kHeight = 0.45;                             // of the eye, in distances from the axis
+constexpr double kDistance = 1.42 / CameraTarget::kTangent;  // of the eye, in circumradii, from the centre
+constexpr double kLead = 0.5;                          // radians from which the face of the start comes to the front
+constexpr double kShift = 2 * Turntable::kMiddle - 1;  // of the solid, in half widths of the picture
+
+constexpr float kTitle = 104;  // baselines above the lower edge of the screen
+constexpr float kFacts = 74;
+constexpr float kMedals = 40;
+constexpr float kMargin = 24;
+constexpr float kLeast = 100;  // room on each side of the middle
+
+std::string medalText(Medal medal, std::uint32_t ticks) { return starsOf(medal) + " " + finishTextOf(ticks); }
+
+// At most `room` to each side of `middle`.
+void addMedals(OverlayWriter& writer, const MedalTimes& times, glm::vec2 middle, float room) {
+  const std::pair<Medal, std::uint32_t> medals[]{
+      {Medal::kGold, times.gold}, {Medal::kSilver, times.silver}, {Medal::kBronze, times.bronze}};
+  float width = 0;
+  for (const auto& [medal, ticks] : medals)
+    width = std::max(width, writer.width(medalText(medal, ticks), kSmallestText) + 20);
+  const glm::vec2 half(1.5F * width, 15);
+  if (half.x > room) return;
+  const glm::vec2 panel = middle - glm::vec2(0, kSmallestText * Font::kCapitalHeight / 2);
+  writer.panel(panel - half, panel + half, half.y, kPanel);
+  float x = middle.x - width;
+  for (const auto& [medal, ticks] : medals) {
+    writer.centred(medalText(medal, ticks), {x, middle.y}, kSmallestText, colourOf(medal));
+    x += width;
+  }
+}
+
 }  // namespace
 
 MenuPage levelsPage(std::span<const LevelEntry> levels, const std::function<void(std::size_t)>& choose) {
@@ -91,6 +136,48 @@ std::size_t itemOfLevel(std::span<const LevelEntry> levels, std::size_t level) {
 std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item) {
   const std::vector<Row> rows = rowsOf(levels);
   return rows[std::min(item, rows.size() - 1)].level;
+}
+
+void Turntable::show(const std::shared_ptr<const Level>& level) {
+  if (level == level_) return;
+  level_ = level;
+  const Game game(level);
+  SceneSource source;
+  source.stage = makeStageModel(*level);
+  source.game = &game;
+  scene_ = makeScene(source);
+  const glm::dvec3 front = source.stage->mesh.normal(source.stage->start.face);
+  angle_ = std::atan2(front.z, front.x) - kLead;
+}
+
+void Turntable::advance(double seconds) { angle_ = std::fmod(angle_ + kTurnPerSecond * seconds, 2 * std::numbers::pi); }
+
+Camera Turntable::camera(std::uint32_t w, std::uint32_t h) const {
+  Camera camera;
+  camera.resize(w, h);
+  const glm::dvec3 direction(std::cos(angle_), kHeight, std::sin(angle_));
+  const SolidMesh& mesh = scene_.stage->mesh;
+  camera.place(glm::normalize(direction) * mesh.circumradius() * kDistance, {0, 1, 0}, mesh);
+  const double aspect = double{1} * camera.width() / camera.height();
+  camera.setShift(aspect > kWide ? kShift : 0);
+  return camera;
+}
+
+void addLevelCard(Overlay& overlay, const LevelEntry& level, const Font& font, float width, float scale) {
+  if (width <= Turntable::kWide * Overlay::kHeight) return;
+  const glm::vec2 screen = glm::vec2(width, Overlay::kHeight) / scale;
+  const float middle = screen.x * static_cast<float>(Turntable::kMiddle);
+  const float room = std::min(middle - endOfLeftColumn(screen), screen.x - middle) - kMargin;
+  if (room < kLeast) return;
+  OverlayWriter writer(font);
+  const std::string players = level.players == 1 ? "1 player" : std::to_string(level.players) + " players";
+  writer.centred(fittedText(level.title, font, 2 * room / 24), {middle, screen.y - kTitle}, 24, kBright);
+  const float baseline = kSmallestText * Font::kCapitalHeight / 2;
+  writer.pill(level.solid + " · " + players, {middle, screen.y - kFacts - baseline}, kSmallestText, kSoft);
+  if (level.medals) addMedals(writer, *level.medals, {middle, screen.y - kMedals}, room);
+  const Overlay card = scaledBy(writer.take(), scale);
+  overlay.panels.insert(overlay.panels.end(), card.panels.begin(), card.panels.end());
+  overlay.texts.insert(overlay.texts.end(), card.texts.begin(), card.texts.end());
 }
 
 }  // namespace platon

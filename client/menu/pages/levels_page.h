@@ -3,12 +3,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "client/menu/menu_page.h"
+#include "client/scene/camera.h"
+#include "client/scene/scene.h"
+#include "client/ui/font.h"
 #include "client/ui/medal.h"
+#include "client/ui/overlay.h"
+#include "platon/game/level.h"
 
 namespace platon {
 
@@ -31,5 +37,36 @@ MenuPage levelsPage(std::span<const LevelEntry> levels, const std::function<void
 std::size_t itemOfLevel(std::span<const LevelEntry> levels, std::size_t level);
 /// The level that an item of that page stands for; for a heading, the level below it. `levels` is not empty.
 std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item);
+
+/// Shows the whole solid of a level, which turns slowly, at the right of a menu.
+class Turntable {
+ public:
+  /// From this width by height on, a picture has room for the solid beside a menu.
+  static constexpr double kWide = 1.2;
+  /// Where the middle of the solid is then, in widths of the picture from the left.
+  static constexpr double kMiddle = 0.71;
+
+  /// Shows this level from now on, first the face of its start if that is at a side. No effect if it does already.
+  void show(const std::shared_ptr<const Level>& level);
+  /// Turns the solid for `seconds`.
+  void advance(double seconds);
+
+  /// Whether there is something to see.
+  bool shows() const { return scene_.stage != nullptr; }
+  /// The level, without players.
+  const Scene& scene() const { return scene_; }
+  /// Sees the solid in a picture of w × h pixels. In a wide picture, the solid is in the right part of it.
+  Camera camera(std::uint32_t w, std::uint32_t h) const;
+
+ private:
+  std::shared_ptr<const Level> level_;
+  Scene scene_;
+  double angle_ = 0;  // radians
+};
+
+/// Adds what is written below the solid that turns beside a menu: the title of its level, the players that it needs,
+/// and the times of its medals. `width` is that of the virtual screen, and a unit of the card is `scale`
+/// of its units; what finds no room beside the menu is left out.
+void addLevelCard(Overlay& overlay, const LevelEntry& level, const Font& font, float width, float scale);
 
 }  // namespace platon

@@ -1,5 +1,9 @@
 #include "client/menu/pages/pause_page.h"
 
+#include <utility>
+
+#include "client/ui/chat_feed.h"
+
 namespace platon {
 
 MenuPage pausePage(const PauseChoices& choices) {
@@ -15,6 +19,20 @@ MenuPage pausePage(const PauseChoices& choices) {
     page.items.insert(page.items.begin() + 3, {.name = "Talk", .value = choices.sayKey, .choose = choices.onSay});
   page.back = choices.onResume;
   page.backMark = false;
+  return page;
+}
+
+MenuPage sayPage(TextField& text, const SayChoices& choices) {
+  MenuPage page{"Talk to all players", choices.said};
+  MenuItem field{MenuItem::Kind::kText, "Text"};
+  field.field = &text;
+  field.choose = choices.say;
+  page.items.push_back(std::move(field));
+  page.items.push_back({.name = "Send", .choose = choices.say});
+  for (std::uint32_t i = 0; i < kEmoteNames.size(); ++i) {
+    page.items.push_back({.name = kEmoteNames[i].first, .choose = [emote = choices.emote, i] { emote(i + 1); }});
+  }
+  page.back = choices.leave;
   return page;
 }
 

@@ -39,6 +39,10 @@ std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
   return keys;
 }
 
+bool isDirection(Key key) {
+  return key == Key::kPadLeft || key == Key::kPadRight || key == Key::kPadUp || key == Key::kPadDown;
+}
+
 }  // namespace
 
 std::vector<KeyEvent> GamepadKeys::update(std::span<const GamepadState> gamepads) {
@@ -63,6 +67,22 @@ void GamepadKeys::noteUsed(std::span<const GamepadState> gamepads) {
   for (const GamepadState& pad : gamepads) {
     if (keysOf(pad).any()) used_ = pad.id;
   }
+}
+
+void PadRepeat::observe(const KeyEvent& event, Time now) {
+  if (event.kind == KeyEvent::Kind::kRelease && event.key == held_) held_.reset();
+  if (event.kind != KeyEvent::Kind::kPress || !isDirection(event.key)) return;
+  held_ = event.key;
+  next_ = now + kDelay;
+}
+
+// Late pictures are not made up for: the focus would leap.
+std::optional<KeyEvent> PadRepeat::repeat(bool repeats, Time now) {
+  if (!repeats) held_.reset();
+  if (!held_ || now < next_) return std::nullopt;
+  next_ += kInterval;
+  if (next_ <= now) next_ = now + kInterval;
+  return KeyEvent{*held_, KeyEvent::Kind::kRepeat};
 }
 
 }  // namespace platon

@@ -1,15 +1,40 @@
 #pragma once
 
 #include <bitset>
+#include <chrono>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "client/ui/controls/gamepad_state.h"
 #include "client/ui/key.h"
 
 namespace platon {
+
+/// State of one gamepad. Buttons have their Xbox names.
+struct GamepadState {
+  int id = 0;        ///< of the gamepad, as long as it is connected
+  float stickX = 0;  ///< left stick, -1 … 1, + right
+  float stickY = 0;  ///< -1 … 1, + down
+  float lookX = 0;   ///< right stick, -1 … 1, + right
+  float lookY = 0;   ///< -1 … 1, + down
+  bool dpadLeft = false;
+  bool dpadRight = false;
+  bool dpadUp = false;
+  bool dpadDown = false;
+  bool a = false;
+  bool b = false;
+  bool start = false;
+  bool back = false;
+  bool x = false;
+  bool y = false;
+  bool leftBumper = false;
+  bool rightBumper = false;
+  bool leftTrigger = false;
+  bool rightTrigger = false;
+  bool leftStick = false;  ///< pressed, as the next one
+  bool rightStick = false;
+};
 
 /// Turns successive states of the gamepads into key events.
 class GamepadKeys {
@@ -37,6 +62,25 @@ class GamepadKeys {
   std::bitset<kKeyCount> down_;
   std::optional<int> used_;  // id of the gamepad on which a key was down last
   bool lost_ = false;
+};
+
+/// Repeats the direction of the gamepad that is held, as keyboards repeat their keys.
+class PadRepeat {
+ public:
+  using Time = std::chrono::microseconds;  ///< of a monotonic clock
+
+  static constexpr Time kDelay = std::chrono::milliseconds(400);    ///< from the press to the first repetition
+  static constexpr Time kInterval = std::chrono::milliseconds(80);  ///< between two of them
+
+  /// Call with each event.
+  void observe(const KeyEvent& event, Time now);
+  /// The repetition of the direction that was pressed last, if it is due. A direction that is not repeated now, such as
+  /// one that moves the ball, is repeated only after it is pressed again.
+  std::optional<KeyEvent> repeat(bool repeats, Time now);
+
+ private:
+  std::optional<Key> held_;
+  Time next_{};  // when held_ is repeated
 };
 
 }  // namespace platon

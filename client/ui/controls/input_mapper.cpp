@@ -1,6 +1,11 @@
 #include "client/ui/controls/input_mapper.h"
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
 
 namespace platon {
 namespace {
@@ -101,6 +106,48 @@ LookInput InputMapper::look() const {
   input.held =
       byKeys || is(Key::kPadLookLeft) || is(Key::kPadLookRight) || is(Key::kPadLookUp) || is(Key::kPadLookDown);
   return input;
+}
+
+Input Steering::input(const HeldKeys& keys, double roll, ControlFrame frame) {
+  // Directions counter-clockwise from the right.
+  const std::array<bool, 4> held{keys.right, keys.up, keys.left, keys.down};
+  constexpr std::array<std::uint8_t, 4> kInputOf{Input::kRight, Input::kJump, Input::kLeft, Input::kDown};
+  const bool anyHeld = keys.right || keys.up || keys.left || keys.down;
+  if (frame == ControlFrame::kPlayer) {
+    quarters_ = 0;
+  } else if (!anyHeld) {
+    quarters_ = static_cast<int>(std::lround(roll / (std::numbers::pi / 2)));
+  }
+  Input input{Input::kPresent};
+  for (int direction = 0; direction < 4; ++direction) {
+    const int turned = ((direction - quarters_) % 4 + 4) % 4;
+    if (held[static_cast<std::size_t>(direction)]) input.buttons |= kInputOf[static_cast<std::size_t>(turned)];
+  }
+  if (keys.jump) input.buttons |= Input::kJump;
+  if (keys.walk) input.buttons |= Input::kWalk;
+  if (keys.creep) input.buttons |= Input::kCreep;
+  if (keys.restart) input.buttons |= Input::kRestart;
+  return validInput(input.buttons);
+}
+
+void MouseLook::handle(const PointerEvent& event) {
+  const glm::dvec2 way = event.place - std::exchange(place_, event.place);
+  if (held_) turn_ += kTurn * glm::dvec2(-way.x, way.y);
+  if (event.button != PointerEvent::Button::kRight) return;
+  if (event.kind == PointerEvent::Kind::kPress) held_ = true;
+  if (event.kind == PointerEvent::Kind::kRelease) held_ = false;
+}
+
+void MouseLook::release() {
+  held_ = false;
+  turn_ = glm::dvec2(0);
+}
+
+LookInput MouseLook::take(LookInput others) {
+  others.held = others.held || held_;
+  const glm::dvec2 turn = std::exchange(turn_, glm::dvec2(0));
+  if (held_) others.turn += turn;
+  return others;
 }
 
 }  // namespace platon

@@ -4,13 +4,31 @@
 #include <cstdint>
 #include <optional>
 
+#include <glm/vec2.hpp>
+
 #include "client/scene/camera_controls.h"
+#include "client/ui/control_frame.h"
 #include "client/ui/controls/bindings.h"
-#include "client/ui/controls/held_keys.h"
 #include "client/ui/controls/toggled_controls.h"
 #include "client/ui/key.h"
+#include "client/ui/pointer_event.h"
+#include "platon/game/input.h"
 
 namespace platon {
+
+/// Controls of the game that are held during a tick. Directions are those of the keys, before Steering.
+struct HeldKeys {
+  bool left = false;
+  bool right = false;
+  bool up = false;
+  bool down = false;
+  bool jump = false;
+  bool walk = false;   ///< two thirds of the run speed
+  bool creep = false;  ///< one third
+  bool restart = false;
+
+  friend bool operator==(const HeldKeys&, const HeldKeys&) = default;
+};
 
 /// What a key does to the user interface.
 enum class Action : std::uint8_t {
@@ -53,6 +71,35 @@ class InputMapper {
   bool looking_ = false;
   std::bitset<kKeyCount> held_;     // pressed while the menu was closed, not released yet
   std::bitset<kKeyCount> pressed_;  // since the last takeHeld
+};
+
+/// Turns held keys into the player's input.
+class Steering {
+ public:
+  /// `roll` is Camera::rollOf(player). In ControlFrame::kScreen, the held directions keep their meaning until all of
+  /// them are released; otherwise a player who runs over an edge would turn round.
+  Input input(const HeldKeys& keys, double roll, ControlFrame frame);
+
+ private:
+  int quarters_ = 0;  // counter-clockwise quarter turns of the player on the screen when the held keys were pressed
+};
+
+/// Looks round the solid while the right button of the mouse is held: the solid follows the pointer.
+class MouseLook {
+ public:
+  static constexpr double kTurn = 0.006;  ///< radians a unit of the virtual screen, which is 720 high
+
+  void handle(const PointerEvent& event);
+  /// The button counts as released until it is pressed again.
+  void release();
+
+  /// How the player looks round since the last call, with what keys and gamepad do.
+  LookInput take(LookInput others);
+
+ private:
+  bool held_ = false;
+  glm::dvec2 place_{0};  // of the pointer
+  glm::dvec2 turn_{0};   // since the last `take`
 };
 
 }  // namespace platon

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
+#include "client/ui/controls/bindings.h"
 #include "client/ui/key.h"
 
 namespace platon {
@@ -19,5 +21,35 @@ std::optional<Key> keyNamed(std::string_view word);
 
 /// Whether a control of the game can have the key.
 inline bool canBeBound(Key key) { return !wordOf(key).empty(); }
+
+/// Tells the player which keys to press. All texts on the screen that name a key have the name from here.
+class KeyHints {
+ public:
+  /// `gamepad`: the player has used the gamepad last, so its buttons are named as far as there are any.
+  explicit KeyHints(const Bindings& bindings = {}, bool gamepad = false) : bindings_(bindings), gamepad_(gamepad) {}
+
+  /// One key of the control: `Space`; `no key` if it has none.
+  std::string of(Control control) const;
+  /// What a key of the control does: `R: back to the start`.
+  std::string to(Control control, const std::string& what) const;
+  /// The keys that run to both sides: `← → or A D`.
+  std::string run() const;
+
+  /// The key that leads to the next level after the goal.
+  std::string goOn() const;
+  /// The key that pauses and opens the menu.
+  std::string menu() const;
+  /// Whether buttons of the gamepad are named.
+  bool gamepad() const { return gamepad_; }
+
+  /// All keys of the control: `Space or J`; empty if it has none.
+  std::string keys(Control control) const;
+  /// Its button of the gamepad; empty if it has none.
+  std::string pad(Control control) const;
+
+ private:
+  Bindings bindings_;
+  bool gamepad_;
+};
 
 }  // namespace platon

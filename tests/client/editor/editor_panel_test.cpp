@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "client/editor/new_level.h"
-#include "client/ui/overlay_writer.h"
+#include "client/ui/overlay.h"
 
 namespace platon::editor_panel_test {
 namespace {

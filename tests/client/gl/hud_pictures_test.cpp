@@ -8,9 +8,8 @@
 
 #include "client/gl/gl_context.h"
 #include "client/hud/hud.h"
-#include "client/ui/high_contrast_overlay.h"
+#include "client/ui/overlay.h"
 #include "client/ui/replay_bar.h"
-#include "client/ui/text_scale.h"
 #include "tests/client/gl/flat_picture.h"
 #include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"

@@ -13,8 +13,8 @@
 
 #include "client/hud/hud.h"
 #include "client/hud/hud_space.h"
+#include "client/ui/overlay.h"
 #include "client/ui/replay_bar.h"
-#include "client/ui/text_scale.h"
 
 namespace platon::hud_boxes_test {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,66 @@ TEST(Font, CapitalsHaveTheStatedHeight) {
   }
   const float rows = static_cast<float>(highest) / static_cast<float>(glyph.height);
   EXPECT_NEAR(glyph.high.y + rows * (glyph.low.y - glyph.high.y), Font::kCapitalHeight, 0.04);
+}
+
+TEST(FittedText, WhatFitsIsUnchanged) {
+  const Font font;
+  EXPECT_EQ(fittedText("Resume", font, font.width("Resume")), "Resume");
+  EXPECT_EQ(fittedText("", font, 0), "");
+}
+
+TEST(FittedText, WhatIsTooLongEndsWithAnEllipsisAndIsAsLongAsPossible) {
+  const Font font;
+  EXPECT_EQ(fittedText("Füßchen", font, font.width("Füß…")), "Füß…");
+  EXPECT_EQ(fittedText("Füßchen", font, font.width("Fü…") + 0.001F), "Fü…");
+  EXPECT_EQ(fittedText("Resume", font, 0.01F), "") << "not even one letter fits";
+}
+
+using Lines = std::vector<std::string>;
+
+const Font& font() {
+  static const Font font;
+  return font;
+}
+
+float widthOf(const std::string& text) { return font().width(text); }
+
+TEST(TextWrap, ATextThatFitsIsOneLine) {
+  EXPECT_EQ(wrapText("one two", font(), widthOf("one two")), Lines{"one two"});
+  EXPECT_EQ(wrapText("", font(), 10), Lines{});
+}
+
+TEST(TextWrap, BreaksAtSpaces) {
+  EXPECT_EQ(wrapText("one two three", font(), widthOf("one two") * 1.01F), (Lines{"one two", "three"}));
+  EXPECT_EQ(wrapText("one two", font(), widthOf("one two") * 0.99F), (Lines{"one", "two"}));
+}
+
+TEST(TextWrap, AWordThatIsTooWideIsBrokenBetweenCodePoints) {
+  EXPECT_EQ(wrapText("жжжжж a", font(), widthOf("жж") * 1.01F), (Lines{"жж", "жж", "ж", "a"}));
+  EXPECT_EQ(wrapText("жж", font(), 0), (Lines{"ж", "ж"}));
+}
+
+TEST(TextWrap, TheWordAfterABrokenOneContinuesItsLine) {
+  EXPECT_EQ(wrapText("MMMMM i", font(), widthOf("MMM") * 1.01F), (Lines{"MMM", "MM i"}));
+}
+
+// Nothing of a text is lost but spaces, and no line that could be broken is too wide.
+TEST(TextWrap, KeepsEveryCharacterWithinTheWidth) {
+  std::mt19937 random(5);
+  const Lines parts{"a", "W", "ж", "世", " ", " ", "i"};
+  for (int i = 0; i < 500; ++i) {
+    std::string text;
+    for (std::size_t size = random() % 60; size > 0; --size) text += parts[random() % parts.size()];
+    std::string visible = text;
+    std::erase(visible, ' ');
+    std::string all;
+    for (const std::string& line : wrapText(text, font(), 3)) {
+      EXPECT_LE(widthOf(line), 3) << line;
+      all += line;
+    }
+    std::erase(all, ' ');
+    EXPECT_EQ(all, visible);
+  }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "client/hud/hud_space.h"
-#include "client/ui/text_scale.h"
+#include "client/ui/overlay.h"
 
 namespace platon::replay_bar_test {
 namespace {

@@ -1,8 +1,17 @@
 #include "client/menu/pages/levels_page.h"
 
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "client/menu/menu_layout.h"
+#include "client/ui/overlay.h"
 
 namespace platon::levels_page_test {
 namespace {
@@ -70,6 +79,124 @@ TEST(LevelsPage, ItemsAndLevelsBelongTogether) {
   EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 1, 2, 3}));
   EXPECT_EQ(levelOfItem(kLevels, 3), 1U) << "a heading";
   EXPECT_EQ(levelOfItem(kLevels, 99), 2U) << "the last row";
+}
+
+// Where a point of the solid is in the picture, -1 … 1.
+glm::dvec2 placeIn(const Camera& camera, glm::dvec3 point) {
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
+  return glm::dvec2(clip) / clip.w;
+}
+
+class TurntableTest : public testing::Test {
+ protected:
+  TurntableTest() {
+    const LevelResult result = loadLevel("TETRAHEDRON\n0 0 0 0\n0 20 0\n480\n%\n-30 -20 30 -20\n%\n%\n%\n");
+    turntable_.show(result.level);
+  }
+
+  Turntable turntable_;
+};
+
+TEST_F(TurntableTest, ShowsTheLevelWithoutPlayers) {
+  EXPECT_TRUE(turntable_.shows());
+  EXPECT_FALSE(Turntable().shows());
+  EXPECT_TRUE(turntable_.scene().players.empty());
+}
+
+TEST_F(TurntableTest, TheWholeSolidIsInThePictureAsItTurns) {
+  const SolidMesh& mesh = turntable_.scene().stage->mesh;
+  for (int second = 0; second < 45; ++second) {
+    turntable_.advance(1);
+    for (const auto& [w, h] : {std::pair(1280U, 720U), {720U, 720U}, {400U, 900U}, {2520U, 1080U}}) {
+      const Camera camera = turntable_.camera(w, h);
+      for (int face = 0; face < mesh.faces(); ++face) {
+        for (const glm::dvec2 corner : mesh.polygon()) {
+          const glm::dvec2 place = placeIn(camera, mesh.toWorld(face, corner));
+          EXPECT_LT(std::abs(place.x), 1) << w << " × " << h;
+          EXPECT_LT(std::abs(place.y), 1) << w << " × " << h;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(TurntableTest, InAWidePictureTheSolidIsAtTheRight) {
+  EXPECT_NEAR(placeIn(turntable_.camera(1280, 720), {0, 0, 0}).x, 0.42, 1e-9);
+  EXPECT_NEAR(placeIn(turntable_.camera(720, 720), {0, 0, 0}).x, 0, 1e-9);
+}
+
+TEST_F(TurntableTest, TurnsRoundIn40Seconds) {
+  const glm::dvec3 before = turntable_.camera(1280, 720).back();
+  turntable_.advance(20);
+  EXPECT_GT(glm::distance(turntable_.camera(1280, 720).back(), before), 1);
+  turntable_.advance(20);
+  EXPECT_LT(glm::distance(turntable_.camera(1280, 720).back(), before), 1e-9);
+}
+
+std::vector<std::string> textsOf(const LevelEntry& level, float width, float scale = 1) {
+  const Font font;
+  Overlay overlay;
+  addLevelCard(overlay, level, font, width, scale);
+  std::vector<std::string> texts;
+  for (const Overlay::Text& text : overlay.texts) {
+    texts.push_back(text.content);
+    EXPECT_GT(text.place.x, width / 2);
+    EXPECT_LT(text.place.x + font.width(text.content) * text.size, width);
+    EXPECT_LT(text.place.y, Overlay::kHeight);
+  }
+  return texts;
+}
+
+bool overlap(const MenuBox& a, const MenuBox& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+TEST(LevelCard, ShowsTitlePlayersAndMedals) {
+  LevelEntry level{"Half turn", "Tetrahedron · fire", 2};
+  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire · 2 players"}));
+  level.players = 1;
+  level.medals = medalTimesOf(600);
+  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire · 1 player", "★★★ 11.50 s",
+                                                            "★★☆ 15.00 s", "★☆☆ 25.00 s"}));
+}
+
+TEST(LevelCard, StaysBesideTheMenuWithLongTexts) {
+  const Font font;
+  const LevelEntry level{std::string(100, 'W'), "Icosahedron · water", 64, {}, medalTimesOf(2'000'000)};
+  for (const float scale : {0.75F, 1.0F, textScale(1, 360), 1.5F, 1.75F}) {
+    for (float width = 960; width < 1800; width += 40) {
+      SCOPED_TRACE(testing::Message() << width << " at " << scale);
+      Overlay card;
+      addLevelCard(card, level, font, width, scale);
+      const float menu = scale * endOfLeftColumn(glm::vec2(width, Overlay::kHeight) / scale);
+      std::vector<MenuBox> boxes;
+      for (const Overlay::Text& text : card.texts) {
+        const glm::vec2 end = text.place + glm::vec2(font.width(text.content) * text.size, 0.3F * text.size);
+        boxes.push_back({text.place - glm::vec2(0, text.size), end});
+      }
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        EXPECT_GE(boxes[i].low.x, menu) << card.texts[i].content;
+        EXPECT_LE(boxes[i].high.x, width) << card.texts[i].content;
+        EXPECT_LE(boxes[i].high.y, Overlay::kHeight);
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(boxes[i], boxes[j])) << card.texts[i].content;
+      }
+      for (const Overlay::Panel& panel : card.panels) {
+        EXPECT_GE(panel.low.x, menu);
+        EXPECT_LE(panel.high.x, width);
+        EXPECT_LE(panel.high.y, Overlay::kHeight);
+      }
+    }
+  }
+}
+
+TEST(LevelCard, LeavesOutWhatHasNoRoomBesideTheMenu) {
+  const LevelEntry level{"Half turn", "Tetrahedron · fire", 1, {}, medalTimesOf(600)};
+  EXPECT_EQ(textsOf(level, 1280, 1.5F).size(), 2U);
+  EXPECT_TRUE(textsOf(level, 1280, 2).empty());
+}
+
+TEST(LevelCard, IsLeftOutWhereThereIsNoRoomBesideTheMenu) {
+  EXPECT_TRUE(textsOf({"Half turn", "Tetrahedron · fire"}, Turntable::kWide * Overlay::kHeight).empty());
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "client/ui/controls/bindings.h"
 
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +10,17 @@
 
 namespace platon::bindings_test {
 namespace {
+
+TEST(Control, EachHasAWordAndANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kControlCount; ++i) {
+    const auto control = static_cast<Control>(i);
+    EXPECT_EQ(controlNamed(wordOf(control)), control);
+    EXPECT_TRUE(names.insert(nameOf(control)).second) << nameOf(control);
+  }
+  EXPECT_FALSE(controlNamed("fly"));
+  EXPECT_FALSE(controlNamed(""));
+}
 
 // How many places of all controls have the key.
 int places(const Bindings& bindings, Key key) {

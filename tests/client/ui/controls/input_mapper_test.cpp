@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -276,6 +277,123 @@ TEST(InputMapper, KeyRepeatHasNoAction) {
     event.kind = Kind::kRepeat;
     EXPECT_EQ(InputMapper().handle(event, false), std::nullopt);
   }
+}
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+template <class... Key>
+HeldKeys holding(Key... keys) {
+  HeldKeys held;
+  ((held.*keys = true), ...);
+  return held;
+}
+
+int buttonsOf(Steering& steering, const HeldKeys& keys, double roll, ControlFrame frame) {
+  const Input input = steering.input(keys, roll, frame);
+  EXPECT_TRUE(input.has(Input::kPresent));
+  return input.buttons & ~Input::kPresent;
+}
+
+TEST(Steering, ThePlayersFrameIgnoresTheRoll) {
+  Steering steering;
+  for (const double roll : {0.0, kQuarter, -2.0, 3.1}) {
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), roll, ControlFrame::kPlayer), Input::kLeft);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), roll, ControlFrame::kPlayer), Input::kRight);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::up), roll, ControlFrame::kPlayer), Input::kJump);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::down), roll, ControlFrame::kPlayer), Input::kDown);
+  }
+}
+
+// After a quarter turn counter-clockwise, the player's up points left on the screen and its right points up.
+TEST(Steering, TheScreensFrameTurnsTheDirections) {
+  Steering steering;
+  const ControlFrame screen = ControlFrame::kScreen;
+  EXPECT_EQ(buttonsOf(steering, {}, kQuarter, screen), 0);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), kQuarter, screen), Input::kJump);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::up), kQuarter, screen), Input::kRight);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), kQuarter, screen), Input::kDown);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::down), kQuarter, screen), Input::kLeft);
+}
+
+TEST(Steering, UpsideDownLeftIsRight) {
+  for (const double roll : {2 * kQuarter, -2 * kQuarter, 2.6}) {
+    Steering steering;
+    buttonsOf(steering, {}, roll, ControlFrame::kScreen);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), roll, ControlFrame::kScreen), Input::kRight);
+  }
+}
+
+TEST(Steering, AHeldDirectionKeepsItsMeaning) {
+  Steering steering;
+  const ControlFrame screen = ControlFrame::kScreen;
+  buttonsOf(steering, {}, 0, screen);
+  for (const double roll : {0.0, 0.8, kQuarter, 3.0}) {
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), roll, screen), Input::kRight);
+  }
+  buttonsOf(steering, {}, kQuarter, screen);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), kQuarter, screen), Input::kDown);
+}
+
+TEST(Steering, JumpAndRestartHaveNoDirection) {
+  Steering steering;
+  buttonsOf(steering, {}, kQuarter, ControlFrame::kScreen);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::jump, &HeldKeys::restart), kQuarter, ControlFrame::kScreen),
+            Input::kJump | Input::kRestart);
+}
+
+using Button = PointerEvent::Button;
+using PointerKind = PointerEvent::Kind;
+
+class MouseLookTest : public testing::Test {
+ protected:
+  void event(PointerKind kind, glm::dvec2 place, Button button = Button::kLeft) {
+    PointerEvent pointer;
+    pointer.kind = kind;
+    pointer.place = place;
+    pointer.button = button;
+    look_.handle(pointer);
+  }
+
+  MouseLook look_;
+};
+
+TEST_F(MouseLookTest, TheSolidFollowsThePointerWhileTheRightButtonIsHeld) {
+  event(PointerKind::kMove, {500, 300});
+  EXPECT_EQ(look_.take({}), LookInput());
+  event(PointerKind::kPress, {500, 300}, Button::kRight);
+  event(PointerKind::kMove, {520, 300});
+  event(PointerKind::kMove, {520, 290});
+  const LookInput look = look_.take({});
+  EXPECT_TRUE(look.held);
+  EXPECT_DOUBLE_EQ(look.turn.x, -20 * MouseLook::kTurn) << "to the left of a solid that goes to the right";
+  EXPECT_DOUBLE_EQ(look.turn.y, -10 * MouseLook::kTurn);
+  EXPECT_EQ(look_.take({}).turn, glm::dvec2(0)) << "it was taken";
+  event(PointerKind::kRelease, {520, 290}, Button::kRight);
+  event(PointerKind::kMove, {600, 290});
+  EXPECT_EQ(look_.take({}), LookInput());
+}
+
+TEST_F(MouseLookTest, OtherButtonsAndTheWheelDoNothing) {
+  event(PointerKind::kPress, {0, 0}, Button::kLeft);
+  event(PointerKind::kMove, {50, 0});
+  event(PointerKind::kPress, {50, 0}, Button::kMiddle);
+  event(PointerKind::kScroll, {50, 0});
+  EXPECT_EQ(look_.take({}), LookInput());
+}
+
+TEST_F(MouseLookTest, ReleasedItWaitsForTheNextPress) {
+  event(PointerKind::kPress, {0, 0}, Button::kRight);
+  event(PointerKind::kMove, {50, 0});
+  look_.release();
+  event(PointerKind::kMove, {90, 0});
+  EXPECT_EQ(look_.take({}), LookInput());
+  event(PointerKind::kPress, {90, 0}, Button::kRight);
+  EXPECT_TRUE(look_.take({}).held);
+}
+
+TEST_F(MouseLookTest, KeepsWhatKeysAndGamepadDo) {
+  const LookInput keys{true, {1, 0}, {}};
+  EXPECT_EQ(look_.take(keys), keys);
 }
 
 }  // namespace

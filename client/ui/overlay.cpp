@@ -1,4 +1,4 @@
-#include "client/ui/high_contrast_overlay.h"
+#include "client/ui/overlay.h"
 
 #include <algorithm>
 

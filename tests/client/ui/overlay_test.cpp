@@ -1,9 +1,88 @@
-#include "client/ui/overlay_writer.h"
+#include "client/ui/overlay.h"
+
+#include <algorithm>
+#include <span>
+#include <variant>
 
 #include <gtest/gtest.h>
+#include <glm/vec3.hpp>
 
-namespace platon::overlay_writer_test {
+#include "client/ui/setting_table.h"
+#include "client/ui/settings.h"
+#include "levels/drawing/typeface.h"
+
+namespace platon::overlay_test {
 namespace {
+
+SettingNumber uiScale() {
+  const std::span<const Setting> table = settingTable();
+  const auto found = std::find_if(table.begin(), table.end(), [](const Setting& it) { return it.name == "text-size"; });
+  return std::get<SettingNumber>(found->value);
+}
+
+using namespace overlay_colours;
+
+constexpr std::uint32_t kHeights[] = {1, 180, 360, 480, 720, 1080, 2160};
+
+TEST(TextScale, NoTextIsUnderTheSmallestSizeInAnyPictureAtAnyScale) {
+  for (const std::uint32_t height : kHeights) {
+    for (double scale = uiScale().min; scale <= uiScale().max; scale += 0.05) {
+      const float pixels = kSmallestText * textScale(scale, height) * static_cast<float>(height) / Overlay::kHeight;
+      EXPECT_GT(pixels, kSmallestTextPixels - 0.001F) << height << " " << scale;
+    }
+  }
+}
+
+TEST(TextScale, IsThatOfTheSettingsWhereTextsAreLargeEnough) {
+  EXPECT_FLOAT_EQ(textScale(0.75, 720), 0.75F);
+  EXPECT_FLOAT_EQ(textScale(1, 540), 1);
+  EXPECT_FLOAT_EQ(textScale(1.75, 2160), 1.75F);
+  EXPECT_FLOAT_EQ(textScale(1, 360), 1.5F);
+}
+
+// The letters of the typeface are as large as those of a font of this size, whose capitals are 0.7 of it.
+TEST(TextScale, TheSmallestLettersAreThoseOf11Pixels) {
+  EXPECT_GE(kSmallestTextPixels * Typeface::kCapitalHeight, 11 * 0.7F);
+}
+
+TEST(TextScale, AllLengthsAreMultiplied) {
+  Overlay overlay;
+  overlay.panels.push_back({{1, 2}, {3, 4}, 5, {}});
+  overlay.texts.push_back({{6, 7}, 8, {}, "text"});
+  const Overlay scaled = scaledBy(overlay, 2);
+  EXPECT_EQ(scaled.panels[0].low, glm::vec2(2, 4));
+  EXPECT_EQ(scaled.panels[0].high, glm::vec2(6, 8));
+  EXPECT_EQ(scaled.panels[0].radius, 10);
+  EXPECT_EQ(scaled.texts[0].place, glm::vec2(12, 14));
+  EXPECT_EQ(scaled.texts[0].size, 16);
+}
+
+TEST(HighContrastOverlay, PanelsAreOpaqueAndDarkOnesBlack) {
+  Overlay overlay;
+  for (const glm::vec4 colour : {kPanel, kSelected}) overlay.panels.push_back({{10, 10}, {90, 40}, 5, colour});
+  raiseContrast(overlay);
+  EXPECT_EQ(overlay.panels[0].colour, glm::vec4(0, 0, 0, 1));
+  EXPECT_EQ(overlay.panels[1].colour, glm::vec4(glm::vec3(kSelected), 1));
+}
+
+TEST(HighContrastOverlay, WhatDimsTheWholePictureStillDoes) {
+  Overlay overlay;
+  overlay.panels.push_back({{0, 0}, {1280, Overlay::kHeight}, 0, {0, 0, 0, 0.5F}});
+  const glm::vec4 before = overlay.panels[0].colour;
+  raiseContrast(overlay);
+  EXPECT_EQ(overlay.panels[0].colour, before);
+}
+
+TEST(HighContrastOverlay, TextsAreAsBrightAsTheyCanBe) {
+  Overlay overlay;
+  for (const glm::vec4 colour : {kSoft, kWarning, glm::vec4(0.05F, 0.05F, 0.08F, 1)})
+    overlay.texts.push_back({{0, 0}, 16, colour, "text"});
+  raiseContrast(overlay);
+  EXPECT_EQ(overlay.texts[0].colour.b, 1);
+  EXPECT_GT(overlay.texts[0].colour.r, kSoft.r);
+  EXPECT_EQ(overlay.texts[1].colour, kWarning);
+  EXPECT_EQ(overlay.texts[2].colour.r, 0.05F) << "dark text on a bright panel";
+}
 
 const Font& font() {
   static const Font font;
@@ -89,4 +168,4 @@ TEST(OverlayWriter, APillEnclosesItsLines) {
 }
 
 }  // namespace
-}  // namespace platon::overlay_writer_test
+}  // namespace platon::overlay_test
