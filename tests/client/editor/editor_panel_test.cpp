@@ -34,7 +34,7 @@ TEST(EditorPanelTest, AnUnsavedFileHasAStar) {
 }
 
 TEST(EditorPanelTest, TheReportSaysWhatIsKnown) {
-  EXPECT_TRUE(shows(statusOf(LevelReport::Way::kSearching), "searching"));
+  EXPECT_TRUE(shows(statusOf(LevelReport::Way::kSearching), "finding where the ball can get"));
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kImpossible), "the goal cannot be reached"));
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kImpossible), "proved"));
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kNotFound), "no way to the goal found"));

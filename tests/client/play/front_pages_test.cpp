@@ -446,7 +446,7 @@ TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {
 
 TEST_F(FrontPagesTest, AskedForAPasswordThePlayerEntersIt) {
   pages_.askPassword({"host", 12}, false);
-  EXPECT_TRUE(shows("asks for a password"));
+  EXPECT_TRUE(shows("needs a password"));
   type("secret");
   EXPECT_FALSE(shows("secret"));
   tap(Key::kEnter, 2);
