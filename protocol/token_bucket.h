@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -11,11 +11,11 @@ namespace platon {
 class TokenBucket {
  public:
   /// Starts full. `perSecond` and `limit` are in the unit of the budget, such as bytes.
-  TokenBucket(double perSecond, double limit, Moment now)
+  TokenBucket(double perSecond, double limit, Time now)
       : perSecond_(perSecond), limit_(limit), level_(limit), updated_(now) {}
 
   /// Takes `amount` from the budget. False, and nothing is taken, when less is left.
-  bool take(double amount, Moment now) {
+  bool take(double amount, Time now) {
     const double seconds = std::chrono::duration<double>(now - updated_).count();
     level_ = std::min(limit_, level_ + std::max(0.0, seconds) * perSecond_);
     updated_ = now;
@@ -31,7 +31,7 @@ class TokenBucket {
   double perSecond_;
   double limit_;
   double level_;
-  Moment updated_;
+  Time updated_;
 };
 
 }  // namespace platon

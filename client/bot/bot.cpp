@@ -7,13 +7,13 @@
 namespace platon {
 
 PlayingBot::PlayingBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
-                       const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle)
+                       const LinkQuality& quality, std::uint64_t seed, Time now, Time settle)
     : route_(server, quality, seed),
       client_(server, {name, knowledge, route_.address()}, now),
       presser_(seed),
       measure_(now, settle) {}
 
-void PlayingBot::update(Moment now) {
+void PlayingBot::update(Time now) {
   route_.pump(now);
   client_.update(now, [this](const Game&, std::uint32_t) { return presser_.next(); });
   route_.pump(now);
@@ -35,7 +35,7 @@ BotResult PlayingBot::result() const {
 }
 
 HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
-                     const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle)
+                     const LinkQuality& quality, std::uint64_t seed, Time now, Time settle)
     : route_(server, quality, seed),
       connection_(resolve(route_.address().host, route_.address().port), knowledge),
       name_(name),
@@ -43,7 +43,7 @@ HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const
       buttons_([this] { return presser_.next(); }),
       measure_(now, settle) {}
 
-void HollowBot::update(Moment now) {
+void HollowBot::update(Time now) {
   route_.pump(now);
   connection_.service(now, [this, now](std::span<const std::uint8_t> message) {
     if (session_) session_->receive(message, now);

@@ -11,7 +11,7 @@
 #include "client/net/connection.h"
 #include "client/net/network_conditions.h"
 #include "client/session/network_client.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -24,7 +24,7 @@ class Bot {
   Bot& operator=(const Bot&) = delete;
 
   /// Call every few milliseconds.
-  virtual void update(Moment now) = 0;
+  virtual void update(Time now) = 0;
   virtual void leave() = 0;
   virtual std::optional<DesyncReport> takeDesync() { return std::nullopt; }
   virtual bool closed() const = 0;
@@ -38,9 +38,9 @@ class PlayingBot : public Bot {
   /// `settle`: time after the first confirmed tick before the bot is measured. Throws std::runtime_error if the host
   /// name cannot be resolved or no socket is available.
   PlayingBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
-             const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle);
+             const LinkQuality& quality, std::uint64_t seed, Time now, Time settle);
 
-  void update(Moment now) override;
+  void update(Time now) override;
   void leave() override { client_.leave(); }
   std::optional<DesyncReport> takeDesync() override { return client_.takeDesync(); }
   bool closed() const override { return client_.closed() || client_.ending().has_value(); }
@@ -60,9 +60,9 @@ class HollowBot : public Bot {
  public:
   /// As for PlayingBot.
   HollowBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
-            const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle);
+            const LinkQuality& quality, std::uint64_t seed, Time now, Time settle);
 
-  void update(Moment now) override;
+  void update(Time now) override;
   void leave() override;
   bool closed() const override { return connection_.state() == Connection::State::kClosed || ending().has_value(); }
   BotResult result() const override;

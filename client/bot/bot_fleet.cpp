@@ -29,18 +29,18 @@ void addConditionOptions(ProgramOptions& program, LinkQuality& quality) {
 
 namespace {
 
-constexpr Moment kUpdateInterval = std::chrono::milliseconds(2);
-constexpr Moment kJoinTime = std::chrono::seconds(1);  // in which all bots start to connect
+constexpr Time kUpdateInterval = std::chrono::milliseconds(2);
+constexpr Time kJoinTime = std::chrono::seconds(1);  // in which all bots start to connect
 
-Moment fromSeconds(double seconds) { return Moment(static_cast<Moment::rep>(seconds * 1e6)); }
+Time fromSeconds(double seconds) { return Time(static_cast<Time::rep>(seconds * 1e6)); }
 
 }  // namespace
 
 std::vector<BotResult> BotFleet::play() {
-  const Moment start = clock_.now();
-  const Moment end = start + fromSeconds(options_.seconds);
-  const Moment spacing = std::min(kJoinTime, (end - start) / 4) / options_.count;
-  for (Moment now = start; now < end; now = clock_.now()) {
+  const Time start = clock_.now();
+  const Time end = start + fromSeconds(options_.seconds);
+  const Time spacing = std::min(kJoinTime, (end - start) / 4) / options_.count;
+  for (Time now = start; now < end; now = clock_.now()) {
     const auto due = static_cast<std::size_t>(spacing.count() == 0 ? options_.count : (now - start) / spacing + 1);
     while (bots_.size() < std::min(due, static_cast<std::size_t>(options_.count))) add(now);
     update(now);
@@ -53,19 +53,19 @@ std::vector<BotResult> BotFleet::play() {
   return results;
 }
 
-void BotFleet::add(Moment now) {
+void BotFleet::add(Time now) {
   const std::size_t number = bots_.size() + 1;
   bots_.push_back(make("bot " + std::to_string(number), options_.seed * 1000003 + number, now));
 }
 
-std::unique_ptr<Bot> BotFleet::make(const std::string& name, std::uint64_t seed, Moment now) const {
-  const Moment settle = fromSeconds(options_.settleSeconds);
+std::unique_ptr<Bot> BotFleet::make(const std::string& name, std::uint64_t seed, Time now) const {
+  const Time settle = fromSeconds(options_.settleSeconds);
   if (options_.hollow)
     return std::make_unique<HollowBot>(server_, name, options_.knowledge, options_.quality, seed, now, settle);
   return std::make_unique<PlayingBot>(server_, name, options_.knowledge, options_.quality, seed, now, settle);
 }
 
-void BotFleet::update(Moment now) {
+void BotFleet::update(Time now) {
   for (std::size_t i = 0; i < bots_.size(); ++i) {
     bots_[i]->update(now);
     const auto desync = bots_[i]->takeDesync();
@@ -79,7 +79,7 @@ void BotFleet::leave() {
     return std::all_of(bots_.begin(), bots_.end(), [](const auto& bot) { return bot->closed(); });
   };
   updateUntilClosed(
-      clock_, [this](Moment now) { update(now); }, allClosed);
+      clock_, [this](Time now) { update(now); }, allClosed);
 }
 
 }  // namespace platon

@@ -42,9 +42,9 @@ class BotFleet {
   std::vector<BotResult> play();
 
  private:
-  void add(Moment now);
-  std::unique_ptr<Bot> make(const std::string& name, std::uint64_t seed, Moment now) const;
-  void update(Moment now);
+  void add(Time now);
+  std::unique_ptr<Bot> make(const std::string& name, std::uint64_t seed, Time now) const;
+  void update(Time now);
   void leave();
 
   FleetOptions options_;

@@ -7,12 +7,12 @@
 
 namespace platon {
 
-void BotMeasure::update(Moment now, const PredictionStatistics& prediction, const Traffic& traffic) {
+void BotMeasure::update(Time now, const PredictionStatistics& prediction, const Traffic& traffic) {
   now_ = now;
   if (!playingSince_ && prediction.confirmedTicks > 0) playingSince_ = now;
   if (!playingSince_ || measuredSince_ || now - *playingSince_ < settle_) return;
   measuredSince_ = now;
-  if (settle_ > Moment{}) predictionBefore_ = prediction;
+  if (settle_ > Time{}) predictionBefore_ = prediction;
   trafficBefore_ = traffic;
 }
 

@@ -9,7 +9,7 @@
 #include "client/netcode/link_meter.h"
 #include "client/netcode/prediction.h"
 #include "client/session/round.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -31,19 +31,19 @@ struct BotResult {
 class BotMeasure {
  public:
   /// The bot starts to connect at `now`. Its measured time starts `settle` after its first confirmed tick.
-  BotMeasure(Moment now, Moment settle) : startedAt_(now), now_(now), settle_(settle) {}
+  BotMeasure(Time now, Time settle) : startedAt_(now), now_(now), settle_(settle) {}
 
   /// The bot's totals at `now`.
-  void update(Moment now, const PredictionStatistics& prediction, const Traffic& traffic);
+  void update(Time now, const PredictionStatistics& prediction, const Traffic& traffic);
   /// A result with `joined`, `connectMs`, `seconds`, `traffic` and `prediction` set.
   BotResult result(const PredictionStatistics& prediction, const Traffic& traffic) const;
 
  private:
-  Moment startedAt_;
-  Moment now_;
-  Moment settle_;
-  std::optional<Moment> playingSince_;
-  std::optional<Moment> measuredSince_;
+  Time startedAt_;
+  Time now_;
+  Time settle_;
+  std::optional<Time> playingSince_;
+  std::optional<Time> measuredSince_;
   PredictionStatistics predictionBefore_;
   Traffic trafficBefore_;
 };

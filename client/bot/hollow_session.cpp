@@ -15,17 +15,17 @@ constexpr std::uint8_t kUnknownSync = 255;
 
 }  // namespace
 
-void HollowSession::receive(std::span<const std::uint8_t> bytes, Moment now) {
+void HollowSession::receive(std::span<const std::uint8_t> bytes, Time now) {
   if (ending()) return;
   const std::optional<ToClient> message = dialogue_.receive(bytes, now);
   if (message) std::visit([&](const auto& content) { handle(content, now); }, *message);
 }
 
-void HollowSession::handle(const Welcome& message, Moment now) {
+void HollowSession::handle(const Welcome& message, Time now) {
   if (const std::optional<double> lead = dialogue_.begin(message, now)) startRound(message.round, *lead);
 }
 
-void HollowSession::handle(const RoundStart& message, Moment) {
+void HollowSession::handle(const RoundStart& message, Time) {
   if (exchange_) startRound(message.round, exchange_->clock().lead());
 }
 
@@ -36,18 +36,18 @@ void HollowSession::startRound(std::uint32_t id, double lead) {
   next_ = 0;
 }
 
-void HollowSession::handle(const LevelChunk& message, Moment) {
+void HollowSession::handle(const LevelChunk& message, Time) {
   hasLevel_ = hasLevel_ || levelText_.add(message.total, message.offset, message.bytes);
 }
 
 // The hash of this state is unknown until the ticks after it arrive.
-void HollowSession::handle(const StateChunk& message, Moment) {
+void HollowSession::handle(const StateChunk& message, Time) {
   if (!exchange_ || !exchange_->receive(message)) return;
   confirmed_ = {message.tick, 0, kUnknownSync};
   sync_ = message.sync;
 }
 
-void HollowSession::handle(const ConfirmedTicks& message, Moment now) {
+void HollowSession::handle(const ConfirmedTicks& message, Time now) {
   dialogue_.measure(message, now);
   if (!hasLevel_ || !exchange_ || !exchange_->receive(message, confirmed_.ticks, now)) return;
   const std::uint32_t newest = message.from + message.count;
@@ -55,7 +55,7 @@ void HollowSession::handle(const ConfirmedTicks& message, Moment now) {
   confirmed_ = {newest, message.hash, sync_};
 }
 
-void HollowSession::update(Moment now, const Buttons& buttons) {
+void HollowSession::update(Time now, const Buttons& buttons) {
   if (ending() || !hasLevel_ || !exchange_) return;
   const std::uint32_t end = confirmed_.ticks + std::min(kMaxInputsPerMessage, UINT32_MAX - confirmed_.ticks);
   next_ = std::max(next_, confirmed_.ticks);

@@ -9,8 +9,8 @@
 
 #include "client/session/dialogue.h"
 #include "client/session/round.h"
-#include "protocol/moment.h"
 #include "protocol/session_token.h"
+#include "protocol/time.h"
 #include "protocol/to_client.h"
 #include "protocol/transfer.h"
 
@@ -25,11 +25,11 @@ class HollowSession {
   using Buttons = std::function<Input()>;
 
   /// `name`, `now`: as for Session. `token`: identifies the player to resume; without one it cannot be resumed.
-  HollowSession(const std::string& name, Moment now, const std::optional<SessionToken>& token = {})
+  HollowSession(const std::string& name, Time now, const std::optional<SessionToken>& token = {})
       : dialogue_({kRulesVersion, name, token}, now) {}
 
-  void receive(std::span<const std::uint8_t> bytes, Moment now);
-  void update(Moment now, const Buttons& buttons);
+  void receive(std::span<const std::uint8_t> bytes, Time now);
+  void update(Time now, const Buttons& buttons);
   void leave();
   std::vector<OutgoingMessage> takeOutgoing() { return dialogue_.takeOutgoing(); }
 
@@ -43,14 +43,14 @@ class HollowSession {
 
  private:
   template <class Message>
-  void handle(const Message&, Moment) {}
-  void handle(const Welcome& message, Moment now);
-  void handle(const Refused& message, Moment) { dialogue_.end(message); }
-  void handle(const Bye& message, Moment) { dialogue_.end(message); }
-  void handle(const LevelChunk& message, Moment now);
-  void handle(const RoundStart& message, Moment now);
-  void handle(const StateChunk& message, Moment now);
-  void handle(const ConfirmedTicks& message, Moment now);
+  void handle(const Message&, Time) {}
+  void handle(const Welcome& message, Time now);
+  void handle(const Refused& message, Time) { dialogue_.end(message); }
+  void handle(const Bye& message, Time) { dialogue_.end(message); }
+  void handle(const LevelChunk& message, Time now);
+  void handle(const RoundStart& message, Time now);
+  void handle(const StateChunk& message, Time now);
+  void handle(const ConfirmedTicks& message, Time now);
   void startRound(std::uint32_t id, double lead);
 
   Dialogue dialogue_;

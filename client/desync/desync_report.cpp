@@ -80,7 +80,7 @@ DesyncReport reportOf(Desync desync) {
   return report;
 }
 
-void DesyncReports::add(std::optional<Desync> desync, Moment now) {
+void DesyncReports::add(std::optional<Desync> desync, Time now) {
   if (!desync || (reportedAt_ && now - *reportedAt_ < kInterval)) return;
   reportedAt_ = now;
   last_ = reportOf(std::move(*desync));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/desync/desync_detector.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -24,16 +24,16 @@ DesyncReport reportOf(Desync desync);
 /// The desync reports of a session, at most one in kInterval.
 class DesyncReports {
  public:
-  static constexpr Moment kInterval = std::chrono::minutes(1);
+  static constexpr Time kInterval = std::chrono::minutes(1);
 
   /// Reports a desync, if there is one. `now` never decreases.
-  void add(std::optional<Desync> desync, Moment now);
+  void add(std::optional<Desync> desync, Time now);
   /// The last report; each is returned once.
   std::optional<DesyncReport> take() { return std::exchange(last_, std::nullopt); }
 
  private:
   std::optional<DesyncReport> last_;
-  std::optional<Moment> reportedAt_;
+  std::optional<Time> reportedAt_;
 };
 
 /// The folder to which desync reports are written. Holds at most kMaxReports reports of a few MiB each, because a

@@ -80,13 +80,13 @@ std::string SettingsFile::textOf(const Settings& settings) const {
   return text;
 }
 
-void SettingsFile::update(const Settings& settings, Moment now) {
+void SettingsFile::update(const Settings& settings, Time now) {
   if (!writer_) return;
   if (now >= lookAt_) look(settings, now);
   report(writer_->poll(FileWriter::Time(now)));
 }
 
-void SettingsFile::look(const Settings& settings, Moment now) {
+void SettingsFile::look(const Settings& settings, Time now) {
   lookAt_ = now + kLookInterval;
   std::string text = textOf(settings);
   if (!saved_) saved_ = text;

@@ -8,7 +8,7 @@
 
 #include "client/ui/settings.h"
 #include "protocol/files/file_writer.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -29,16 +29,16 @@ class SettingsFile {
   /// Saves the settings without waiting for the disk, when they have changed and then stayed the same for kCalmTime.
   /// What could not be saved is tried again. Call in each frame. The first call tells what the settings are without a
   /// change.
-  void update(const Settings& settings, Moment now);
+  void update(const Settings& settings, Time now);
   /// Saves the settings now and waits for the disk, at most for some seconds.
   void save(const Settings& settings);
 
-  static constexpr Moment kCalmTime = std::chrono::seconds(1);
+  static constexpr Time kCalmTime = std::chrono::seconds(1);
 
  private:
-  static constexpr Moment kLookInterval = std::chrono::milliseconds(250);
+  static constexpr Time kLookInterval = std::chrono::milliseconds(250);
 
-  void look(const Settings& settings, Moment now);
+  void look(const Settings& settings, Time now);
   Settings refuse(const std::string& reason);
   std::string brokenPath() const;
   void report(const std::optional<std::string>& fault) const;
@@ -50,8 +50,8 @@ class SettingsFile {
   std::optional<FileWriter> writer_;  // nothing if the file must not be written
   std::optional<std::string> saved_;  // the last text that was to be written, or the first one
   std::string text_;                  // as of the last look
-  Moment changedAt_{};                // when it was seen for the first time
-  Moment lookAt_{};
+  Time changedAt_{};                  // when it was seen for the first time
+  Time lookAt_{};
 };
 
 }  // namespace platon

@@ -65,17 +65,17 @@ std::string ListedSearch::add(const ListedServer& server, const SocketAddress& a
   return {};
 }
 
-void ListedSearch::update(Moment now) {
+void ListedSearch::update(Time now) {
   takeDatagrams(*socket_, now, [&](const Datagram& datagram) { take(datagram, now); });
   send(now);
 }
 
-bool ListedSearch::isDue(const Target& target, Moment now) const {
+bool ListedSearch::isDue(const Target& target, Time now) const {
   if (target.tries == 0) return true;
   return (target.found || target.tries < kMaxTries) && now - target.askedAt >= kInterval;
 }
 
-void ListedSearch::send(Moment now) {
+void ListedSearch::send(Time now) {
   nextAt_ = std::max(nextAt_, now - kPaceMemory);
   for (std::size_t i = 0; i < targets_.size() && nextAt_ <= now; ++i) {
     Target& target = targets_[next_];
@@ -85,7 +85,7 @@ void ListedSearch::send(Moment now) {
   socket_->flush(now);
 }
 
-void ListedSearch::ask(Target& target, Moment now) {
+void ListedSearch::ask(Target& target, Time now) {
   if (target.tries == 0) ++asked_;
   ++target.tries;
   ++target.answer.missed;
@@ -95,7 +95,7 @@ void ListedSearch::ask(Target& target, Moment now) {
   socket_->send(target.address, encode(Query{target.nonce}), now);
 }
 
-void ListedSearch::take(const Datagram& datagram, Moment now) {
+void ListedSearch::take(const Datagram& datagram, Time now) {
   const std::optional<Info> info = decodeInfo(datagram.bytes);
   if (!info) return;
   const auto asked = std::find_if(targets_.begin(), targets_.end(), [&](const Target& target) {
@@ -160,13 +160,13 @@ ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve, Threa
   reading_.add([url = url_](const std::stop_token& stop) { return readAt(url, stop); });
 }
 
-void ListedServers::update(Moment now) {
+void ListedServers::update(Time now) {
   if (auto result = reading_.poll()) take(*result, now);
   takeNames(now);
   search_.update(now);
 }
 
-void ListedServers::take(JobResult<ServerList>& result, Moment now) {
+void ListedServers::take(JobResult<ServerList>& result, Time now) {
   if (!result.value) {
     list_.faults = {"cannot read the list of servers at " + url_ + ": " + result.fault};
     return;
@@ -179,7 +179,7 @@ void ListedServers::take(JobResult<ServerList>& result, Moment now) {
   lookupEnd_ = now + kLookupTime;
 }
 
-void ListedServers::takeNames(Moment now) {
+void ListedServers::takeNames(Time now) {
   if (!lookup_) return;
   for (const NameLookup::Answer& answer : lookup_->take()) {
     for (const ListedServer& server : list_.servers) {

@@ -55,11 +55,11 @@ struct FoundServer {
 class ListedSearch {
  public:
   static constexpr std::size_t kMaxServers = NearServers::kMaxServers;
-  static constexpr std::size_t kMaxPerHousehold = 16;            ///< servers of an IPv4 address or of 64 bits of IPv6
-  static constexpr std::size_t kMaxTries = 3;                    ///< queries to a server that never answers
-  static constexpr Moment kInterval = NearServers::kInterval;    ///< between two queries to a server
-  static constexpr Moment kPace = std::chrono::milliseconds(3);  ///< between two queries on average
-  static constexpr Moment kPaceMemory = std::chrono::milliseconds(48);  ///< for so long unsent queries are made up for
+  static constexpr std::size_t kMaxPerHousehold = 16;          ///< servers of an IPv4 address or of 64 bits of IPv6
+  static constexpr std::size_t kMaxTries = 3;                  ///< queries to a server that never answers
+  static constexpr Time kInterval = NearServers::kInterval;    ///< between two queries to a server
+  static constexpr Time kPace = std::chrono::milliseconds(3);  ///< between two queries on average
+  static constexpr Time kPaceMemory = std::chrono::milliseconds(48);  ///< for so long unsent queries are made up for
 
   /// `random` returns numbers that others cannot guess. `allowsLoopback`: the list is one of this machine.
   ListedSearch(std::unique_ptr<DatagramSocket> socket, std::function<std::uint64_t()> random, bool allowsLoopback);
@@ -67,7 +67,7 @@ class ListedSearch {
   /// Asks a server at this address, too. Returns a clause with the reason if it is not asked; else an empty text.
   std::string add(const ListedServer& server, const SocketAddress& address);
   /// Sends what is due and takes the answers that have arrived.
-  void update(Moment now);
+  void update(Time now);
   /// Whether a server has not been asked yet.
   bool isBehind() const { return asked_ < targets_.size(); }
   /// In the order in which they have answered first, at most kMaxServers. A silent one keeps its place until a new one
@@ -82,15 +82,15 @@ class ListedSearch {
     SocketAddress address;
     std::size_t tries = 0;
     std::uint64_t nonce = 0;  // of the last query; no other target learns it
-    Moment askedAt{};
+    Time askedAt{};
     bool found = false;  // it is in found_
     NearServer answer{};
   };
 
-  bool isDue(const Target& target, Moment now) const;
-  void ask(Target& target, Moment now);
-  void send(Moment now);
-  void take(const Datagram& datagram, Moment now);
+  bool isDue(const Target& target, Time now) const;
+  void ask(Target& target, Time now);
+  void send(Time now);
+  void take(const Datagram& datagram, Time now);
   bool makeRoom();
 
   std::unique_ptr<DatagramSocket> socket_;
@@ -100,7 +100,7 @@ class ListedSearch {
   std::vector<std::size_t> found_;  // indices of targets
   std::size_t asked_ = 0;           // targets that were asked at least once
   std::size_t next_ = 0;            // the target whose turn it is
-  Moment nextAt_{};                 // when the next query may be sent
+  Time nextAt_{};                   // when the next query may be sent
 };
 
 /// Reads a list of servers from a web server, in a thread, and then asks these servers again and again how many play on
@@ -108,7 +108,7 @@ class ListedSearch {
 class ListedServers {
  public:
   /// For so long the names of the servers are looked up. The servers with numeric addresses are asked at once.
-  static constexpr Moment kLookupTime = std::chrono::seconds(20);
+  static constexpr Time kLookupTime = std::chrono::seconds(20);
 
   /// Begins to read the list at a URL, in a thread that `start` starts. The destructor ends the reading, which may take
   /// a second, and does not wait for names that are looked up. Throws SocketError.
@@ -123,7 +123,7 @@ class ListedServers {
   bool hasStopped() const { return reading_.isIdle(); }
 
   /// Sends what is due and takes what has arrived.
-  void update(Moment now);
+  void update(Time now);
   /// Sleeps until something may have arrived, at most so long.
   void wait(std::chrono::milliseconds time) { search_.socket().wait(time); }
   /// Whether the list is still being read, or a server in it has not been asked yet.
@@ -136,8 +136,8 @@ class ListedServers {
   std::optional<CryptoKey> keyOf(const ServerAddress& address) const;
 
  private:
-  void take(JobResult<ServerList>& result, Moment now);
-  void takeNames(Moment now);
+  void take(JobResult<ServerList>& result, Time now);
+  void takeNames(Time now);
   void ask(const ListedServer& server, const IpAddress& ip);
   void leaveOut(const ListedServer& server, const std::string& why);
 
@@ -147,7 +147,7 @@ class ListedServers {
   ListedSearch search_;  // of no server until the list is read
   Worker<ServerList> reading_;
   std::optional<NameLookup> lookup_;  // nothing: all names were looked up
-  Moment lookupEnd_{};
+  Time lookupEnd_{};
 };
 
 /// A line for each server: its address in the list, what `describe` says, and its name, in columns.

@@ -75,12 +75,12 @@ NearServers::NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<Soc
                          std::uint64_t nonce)
     : socket_(std::move(socket)), targets_(std::move(targets)), nonce_(nonce) {}
 
-void NearServers::update(Moment now) {
+void NearServers::update(Time now) {
   takeDatagrams(*socket_, now, [&](const Datagram& datagram) { take(datagram, now); });
   if (!searchedAt_ || now - *searchedAt_ >= kInterval) search(now);
 }
 
-void NearServers::search(Moment now) {
+void NearServers::search(Time now) {
   for (NearServer& server : found_) ++server.missed;
   ++nonce_;
   searchedAt_ = now;
@@ -89,7 +89,7 @@ void NearServers::search(Moment now) {
   socket_->flush(now);
 }
 
-void NearServers::take(const Datagram& datagram, Moment now) {
+void NearServers::take(const Datagram& datagram, Time now) {
   std::optional<Info> info = decodeInfo(datagram.bytes);
   if (!info || info->nonce != nonce_ || !searchedAt_) return;
   info->name = visibleLabel(info->name);

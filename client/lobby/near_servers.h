@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/handshake.h"
 #include "protocol/transport/socket_address.h"
@@ -25,7 +25,7 @@ std::vector<IpAddress> broadcastAddresses();
 struct NearServer {
   SocketAddress address;
   Info info;
-  Moment roundTrip{};
+  Time roundTrip{};
   std::size_t missed = 0;  ///< searches since its last answer
 };
 
@@ -35,7 +35,7 @@ struct NearServer {
 class NearServers {
  public:
   static constexpr std::size_t kMaxServers = 32;
-  static constexpr Moment kInterval = std::chrono::seconds(2);
+  static constexpr Time kInterval = std::chrono::seconds(2);
   /// Datagrams that one update takes, so that a flood of answers does not keep its caller.
   static constexpr int kMaxDatagrams = 256;
   static constexpr std::size_t kPatience = 3;  ///< searches without an answer until a server counts as silent
@@ -44,7 +44,7 @@ class NearServers {
   NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> targets, std::uint64_t nonce);
 
   /// Sends what is due and takes the answers that have arrived.
-  void update(Moment now);
+  void update(Time now);
   /// In the order in which they have answered first; each server once, by its identity and port. A silent one keeps its
   /// place, so that no other moves under the player's finger, until a new one needs it.
   const std::vector<NearServer>& list() const { return found_; }
@@ -52,19 +52,19 @@ class NearServers {
   DatagramSocket& socket() { return *socket_; }
 
  private:
-  void search(Moment now);
-  void take(const Datagram& datagram, Moment now);
+  void search(Time now);
+  void take(const Datagram& datagram, Time now);
 
   std::unique_ptr<DatagramSocket> socket_;
   std::vector<SocketAddress> targets_;
   std::uint64_t nonce_;  // of the present search; it differs from one to the next
-  std::optional<Moment> searchedAt_;
+  std::optional<Time> searchedAt_;
   std::vector<NearServer> found_;
 };
 
 /// Hands each datagram that has arrived at a socket to `take`, at most NearServers::kMaxDatagrams of them.
 template <class Take>
-void takeDatagrams(DatagramSocket& socket, Moment now, Take take) {
+void takeDatagrams(DatagramSocket& socket, Time now, Take take) {
   for (int i = 0; i < NearServers::kMaxDatagrams; ++i) {
     const std::optional<Datagram> datagram = socket.receive(now);
     if (!datagram) return;

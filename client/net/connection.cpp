@@ -53,7 +53,7 @@ bool Connection::accepts(ByteSpan content) const {
   return commands && peer_ != nullptr && commands->peer == peer_->incomingPeerID && areSequencesNear(*commands, *peer_);
 }
 
-void Connection::service(Moment now, const Receiver& receiver) {
+void Connection::service(Time now, const Receiver& receiver) {
   now_ = now;
   gate_.beginRound();
   const EnetScope scope(*this, now);
@@ -98,7 +98,7 @@ void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
   }
 }
 
-void Connection::flush(Moment now) {
+void Connection::flush(Time now) {
   now_ = now;
   const EnetScope scope(*this, now);
   enet_host_flush(host_.get());

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "client/net/connection.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/enet_layer.h"
 
@@ -21,7 +21,7 @@ namespace platon {
 class Connection : private EnetPort {
  public:
   /// Longest pause between two connection requests of ENet.
-  static constexpr Moment kRequestInterval = std::chrono::milliseconds(500);
+  static constexpr Time kRequestInterval = std::chrono::milliseconds(500);
   /// Messages that one `service` delivers at most; further ones wait for the next call.
   static constexpr std::uint32_t kMaxMessagesPerService = 512;
 
@@ -44,9 +44,9 @@ class Connection : private EnetPort {
 
   /// Passes received messages to `receiver` and sends queued datagrams. Does not block, except for the tenth of a
   /// second in which a password becomes a key, once for all connections with copies of the same password.
-  void service(Moment now, const Receiver& receiver);
+  void service(Time now, const Receiver& receiver);
   /// Sends the queued messages.
-  void flush(Moment now);
+  void flush(Time now);
   /// Queues a message for the next `flush` or `service`. No effect unless connected.
   void send(std::span<const std::uint8_t> message, bool reliable);
   /// Closes the connection once all queued messages have been acknowledged.
@@ -76,7 +76,7 @@ class Connection : private EnetPort {
   ENetPeer* peer_ = nullptr;  // once the gate is open
   State state_ = State::kConnecting;
   std::optional<Refused> refused_;
-  Moment now_{};   // of the present call
+  Time now_{};     // of the present call
   Bytes content_;  // the last one handed to ENet
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMinRate = 0.001;
 
-Moment milliseconds(double count) { return Moment(static_cast<Moment::rep>(count * 1000)); }
+Time milliseconds(double count) { return Time(static_cast<Time::rep>(count * 1000)); }
 
 }  // namespace
 
@@ -25,20 +25,20 @@ bool LinkQuality::perfect() const {
          reorderPercent <= 0 && kilobytesPerSecond <= 0 && corruptPercent <= 0;
 }
 
-void NetworkConditions::send(std::vector<std::uint8_t> datagram, Moment now) {
-  const std::optional<Moment> passed = passBottleneck(datagram.size(), now);
+void NetworkConditions::send(std::vector<std::uint8_t> datagram, Time now) {
+  const std::optional<Time> passed = passBottleneck(datagram.size(), now);
   if (!passed) return;
   // The burst state changes with each datagram, even if it is lost for another reason.
   const bool inBurst = drawBurst();
   if (chance(quality_.lossPercent) || inBurst) return;
-  const Moment due = dueTime(*passed);
+  const Time due = dueTime(*passed);
   if (chance(quality_.duplicatePercent)) deliverAt(datagram, due);
   deliverAt(std::move(datagram), due);
 }
 
-std::optional<Moment> NetworkConditions::passBottleneck(std::size_t bytes, Moment now) {
+std::optional<Time> NetworkConditions::passBottleneck(std::size_t bytes, Time now) {
   if (quality_.kilobytesPerSecond <= 0) return now;
-  const Moment turn = std::max(now, freeAt_);
+  const Time turn = std::max(now, freeAt_);
   if (turn - now > kMaxQueueTime) return std::nullopt;
   freeAt_ = turn + milliseconds(static_cast<double>(bytes) / std::max(quality_.kilobytesPerSecond, kMinRate));
   return freeAt_;
@@ -53,17 +53,17 @@ bool NetworkConditions::drawBurst() {
   return inBurst_;
 }
 
-Moment NetworkConditions::dueTime(Moment now) {
-  const Moment due = now + milliseconds(quality_.delayMs + draw() * quality_.jitterMs);
+Time NetworkConditions::dueTime(Time now) {
+  const Time due = now + milliseconds(quality_.delayMs + draw() * quality_.jitterMs);
   if (chance(quality_.reorderPercent)) return due + kReorderDelay;
   lastDue_ = std::max(lastDue_, due);
   return lastDue_;
 }
 
-void NetworkConditions::deliverAt(std::vector<std::uint8_t> datagram, Moment due) {
+void NetworkConditions::deliverAt(std::vector<std::uint8_t> datagram, Time due) {
   if (quality_.corruptPercent > 0 && chance(quality_.corruptPercent)) corrupt(datagram);
   const auto place = std::upper_bound(inFlight_.begin(), inFlight_.end(), due,
-                                      [](Moment moment, const InFlight& other) { return moment < other.due; });
+                                      [](Time moment, const InFlight& other) { return moment < other.due; });
   inFlight_.insert(place, {due, std::move(datagram)});
 }
 
@@ -73,7 +73,7 @@ void NetworkConditions::corrupt(std::vector<std::uint8_t>& datagram) {
   datagram[bit / 8] ^= static_cast<std::uint8_t>(1u << bit % 8);
 }
 
-std::optional<std::vector<std::uint8_t>> NetworkConditions::receive(Moment now) {
+std::optional<std::vector<std::uint8_t>> NetworkConditions::receive(Time now) {
   if (inFlight_.empty() || inFlight_.front().due > now) return std::nullopt;
   std::vector<std::uint8_t> datagram = std::move(inFlight_.front().datagram);
   inFlight_.erase(inFlight_.begin());
@@ -140,7 +140,7 @@ LossyRelay::Socket::Socket() : handle(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK
 
 LossyRelay::Socket::~Socket() { close(handle); }
 
-void LossyRelay::receiveFromClient(Moment now) {
+void LossyRelay::receiveFromClient(Time now) {
   sockaddr_in sender{};
   while (std::optional<Payload> datagram = receive(clientSide_.handle, &sender)) {
     if (sender.sin_port != client_.sin_port) setClient(sender);
@@ -160,7 +160,7 @@ void LossyRelay::setClient(const sockaddr_in& client) {
   connectToServer();  // cannot fail: the constructor has connected to the same address
 }
 
-void LossyRelay::receiveFromServer(Moment now) {
+void LossyRelay::receiveFromServer(Time now) {
   while (std::optional<Payload> datagram = receive(serverSide_->handle, nullptr)) down_.send(std::move(*datagram), now);
 }
 
@@ -169,7 +169,7 @@ void LossyRelay::setQuality(const LinkQuality& eachWay) {
   down_.setQuality(eachWay);
 }
 
-void LossyRelay::pump(Moment now) {
+void LossyRelay::pump(Time now) {
   receiveFromClient(now);
   receiveFromServer(now);
   // Ignores errors: a datagram that the socket does not accept is lost.

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {
@@ -44,15 +44,15 @@ struct LinkQuality {
 /// Corruption: drawn for each copy of a duplicated datagram.
 class NetworkConditions {
  public:
-  static constexpr Moment kReorderDelay = std::chrono::milliseconds(40);
-  static constexpr Moment kMaxQueueTime = std::chrono::milliseconds(250);
+  static constexpr Time kReorderDelay = std::chrono::milliseconds(40);
+  static constexpr Time kMaxQueueTime = std::chrono::milliseconds(250);
 
   NetworkConditions(const LinkQuality& quality, std::uint64_t seed) : quality_(quality), random_(seed) {}
 
   /// Sends a datagram at `now`, which never decreases.
-  void send(std::vector<std::uint8_t> datagram, Moment now);
+  void send(std::vector<std::uint8_t> datagram, Time now);
   /// Returns the next datagram that has arrived by `now`; nothing if there is none.
-  std::optional<std::vector<std::uint8_t>> receive(Moment now);
+  std::optional<std::vector<std::uint8_t>> receive(Time now);
   /// Applies to datagrams sent from now on.
   void setQuality(const LinkQuality& quality) { quality_ = quality; }
   /// Drops all datagrams in flight.
@@ -62,23 +62,23 @@ class NetworkConditions {
 
  private:
   struct InFlight {
-    Moment due;
+    Time due;
     std::vector<std::uint8_t> datagram;
   };
 
   double draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
   bool chance(double percent) { return draw() * 100 < percent; }
-  std::optional<Moment> passBottleneck(std::size_t bytes, Moment now);
+  std::optional<Time> passBottleneck(std::size_t bytes, Time now);
   bool drawBurst();
-  Moment dueTime(Moment now);
-  void deliverAt(std::vector<std::uint8_t> datagram, Moment due);
+  Time dueTime(Time now);
+  void deliverAt(std::vector<std::uint8_t> datagram, Time due);
   void corrupt(std::vector<std::uint8_t>& datagram);
 
   LinkQuality quality_;
   std::mt19937_64 random_;
-  Moment freeAt_{};       // when the bottleneck is free
+  Time freeAt_{};         // when the bottleneck is free
   bool inBurst_ = false;  // whether the last datagram was in a burst
-  Moment lastDue_{};
+  Time lastDue_{};
   std::vector<InFlight> inFlight_;  // by due time; equal due times in the order of sending
 };
 
@@ -97,7 +97,7 @@ class LossyRelay {
   /// Applies to datagrams received from now on.
   void setQuality(const LinkQuality& eachWay);
   /// Receives datagrams and forwards those that are due at `now`. Call every few milliseconds.
-  void pump(Moment now);
+  void pump(Time now);
 
  private:
   struct Socket {
@@ -110,8 +110,8 @@ class LossyRelay {
 
   bool connectToServer() const;
   void setClient(const sockaddr_in& client);
-  void receiveFromClient(Moment now);
-  void receiveFromServer(Moment now);
+  void receiveFromClient(Time now);
+  void receiveFromServer(Time now);
 
   sockaddr_in server_;
   Socket clientSide_;
@@ -134,7 +134,7 @@ class ServerRoute {
   /// The address to connect to.
   ServerAddress address() const { return relay_ ? relay_->address() : server_; }
   /// Forwards datagrams. Call before the bot receives and after it has sent.
-  void pump(Moment now) {
+  void pump(Time now) {
     if (relay_) relay_->pump(now);
   }
 

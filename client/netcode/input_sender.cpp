@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kTicksBetweenMessages = 4;
 constexpr std::uint32_t kRepeats = 2;  // of a change, one per tick
-constexpr Moment kIdleInterval = std::chrono::milliseconds(80);
+constexpr Time kIdleInterval = std::chrono::milliseconds(80);
 
 }  // namespace
 
@@ -19,13 +19,13 @@ void SendSchedule::addInput(Input input) {
   last_ = input;
 }
 
-bool SendSchedule::due(Moment now, std::uint32_t end) const {
+bool SendSchedule::due(Time now, std::uint32_t end) const {
   if (!sentAt_ || now - *sentAt_ >= kIdleInterval || urgent_) return true;
   if (!hasNew_ || end <= sentEnd_) return false;
   return repeats_ > 0 || end - sentEnd_ >= kTicksBetweenMessages || changed_;
 }
 
-void SendSchedule::sent(Moment now, std::uint32_t end) {
+void SendSchedule::sent(Time now, std::uint32_t end) {
   repeats_ = changed_ ? kRepeats : repeats_ - std::min(repeats_, 1u);
   hasNew_ = changed_ = urgent_ = false;
   sentAt_ = now;
@@ -39,7 +39,7 @@ void InputSender::add(std::uint32_t tick, Input input) {
   schedule_.addInput(input);
 }
 
-std::optional<PlayerInputs> InputSender::takeMessage(Moment now, const ConfirmedState& confirmed) {
+std::optional<PlayerInputs> InputSender::takeMessage(Time now, const ConfirmedState& confirmed) {
   const std::uint32_t end = std::max(end_, confirmed.ticks);
   if (!schedule_.due(now, end)) return std::nullopt;
   schedule_.sent(now, end);

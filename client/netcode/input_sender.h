@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "platon/game/input.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/to_server.h"
 
 namespace platon {
@@ -20,12 +20,12 @@ class SendSchedule {
   void sendSoon() { urgent_ = true; }
 
   /// Whether a message with the inputs before tick `end` is due.
-  bool due(Moment now, std::uint32_t end) const;
+  bool due(Time now, std::uint32_t end) const;
   /// Call when a message with the inputs before tick `end` has been sent.
-  void sent(Moment now, std::uint32_t end);
+  void sent(Time now, std::uint32_t end);
 
  private:
-  std::optional<Moment> sentAt_;
+  std::optional<Time> sentAt_;
   std::uint32_t sentEnd_ = 0;
   Input last_;
   bool hasNew_ = false;        // inputs were added since the last message
@@ -53,7 +53,7 @@ class InputSender {
 
   /// Returns the message to send at `now`, without its sequence number; nothing if none is due. At most
   /// kMaxInputsPerMessage inputs, the oldest first.
-  std::optional<PlayerInputs> takeMessage(Moment now, const ConfirmedState& confirmed);
+  std::optional<PlayerInputs> takeMessage(Time now, const ConfirmedState& confirmed);
 
  private:
   std::uint32_t round_;

@@ -24,7 +24,7 @@ void InterpolationBuffer::keepNewest(const Game& confirmed) {
   for (std::uint32_t slot = 0; slot < confirmed.slots(); ++slot) players.push_back(snapshotOf(confirmed, slot));
 }
 
-void InterpolationBuffer::arrived(Moment now) {
+void InterpolationBuffer::arrived(Time now) {
   if (newest_ == arrived_) return;
   const bool stalled = newest_ - arrived_ > kJumpTicks;
   // Older ticks were held back by a restart or a stall, so their lateness does not describe the connection.
@@ -35,19 +35,19 @@ void InterpolationBuffer::arrived(Moment now) {
   startClock(now);
 }
 
-void InterpolationBuffer::measure(Moment now) {
+void InterpolationBuffer::measure(Time now) {
   while (arrived_ != newest_) lateness_.add(toTicks(now) - ++arrived_);
   minLateness_ = lateness_.quantile(0);
   delay_ = std::min(lateness_.quantile(0.99) - minLateness_ + 1 + kSpareTicks, double{1} * kMaxDelay);
 }
 
-void InterpolationBuffer::startClock(Moment now) {
+void InterpolationBuffer::startClock(Time now) {
   const double target = toTicks(now) + targetLead();
   clock_.emplace(std::clamp(target, double{1} * oldest_, double{1} * newest_), now, kMaxSlew, kJumpTicks);
   clock_->setTarget(targetLead());
 }
 
-void InterpolationBuffer::update(Moment now) {
+void InterpolationBuffer::update(Time now) {
   if (!clock_) return;
   jumps_ += clock_->update(now) ? 1 : 0;
   clock_->holdAt(newest_);

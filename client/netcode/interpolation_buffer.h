@@ -10,7 +10,7 @@
 #include "client/time/quantile_window.h"
 #include "client/time/slewing_clock.h"
 #include "platon/game/game.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -39,9 +39,9 @@ class InterpolationBuffer {
   /// `confirmed` has been advanced by one tick.
   void advanced(const Game& confirmed);
   /// Call when the ticks added since the last call have arrived at `now`, which never decreases.
-  void arrived(Moment now);
+  void arrived(Time now);
   /// Advances the playback to `now`, which never decreases.
-  void update(Moment now);
+  void update(Time now);
 
   /// The players at `tick()`. Valid until `advanced` or `restart`.
   InterpolatedPlayers players() const;
@@ -62,8 +62,8 @@ class InterpolationBuffer {
   std::vector<PlayerSnapshot>& at(std::uint32_t tick) { return snapshots_[tick % kMaxSnapshots]; }
   const std::vector<PlayerSnapshot>& at(std::uint32_t tick) const { return snapshots_[tick % kMaxSnapshots]; }
   void keepNewest(const Game& confirmed);
-  void measure(Moment now);
-  void startClock(Moment now);
+  void measure(Time now);
+  void startClock(Time now);
   double targetLead() const { return -minLateness_ - delay_; }
 
   std::array<std::vector<PlayerSnapshot>, kMaxSnapshots>

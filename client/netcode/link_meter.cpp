@@ -1,7 +1,7 @@
 #include "client/netcode/link_meter.h"
 
 #include "platon/game/game.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -11,12 +11,12 @@ constexpr int kSmoothing = 8;
 
 }  // namespace
 
-std::uint8_t LinkMeter::nextSequence(Moment now) {
+std::uint8_t LinkMeter::nextSequence(Time now) {
   sentAt_[next_] = now;
   return next_++;
 }
 
-void LinkMeter::receive(const ConfirmedTicks& message, Moment now) {
+void LinkMeter::receive(const ConfirmedTicks& message, Time now) {
   down_.received(message.sequence);
   if (!message.link) return;
   const std::uint8_t reported = message.link->sequence;
@@ -25,8 +25,8 @@ void LinkMeter::receive(const ConfirmedTicks& message, Moment now) {
   if (static_cast<std::uint8_t>(reported - oldestPending_) >= pending) return;
   oldestPending_ = static_cast<std::uint8_t>(reported + 1);
   lostUp_ = message.link->lostPercent;
-  const Moment sample = now - sentAt_[reported];
-  roundTrip_ = roundTrip_ == Moment{} ? sample : roundTrip_ + (sample - roundTrip_) / kSmoothing;
+  const Time sample = now - sentAt_[reported];
+  roundTrip_ = roundTrip_ == Time{} ? sample : roundTrip_ + (sample - roundTrip_) / kSmoothing;
 }
 
 LinkStatistics LinkMeter::statistics(const PredictionClock* clock) const {

@@ -5,7 +5,7 @@
 
 #include "client/netcode/prediction_clock.h"
 #include "protocol/loss_meter.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/to_client.h"
 
 namespace platon {
@@ -23,12 +23,12 @@ struct LinkStatistics {
 class LinkMeter {
  public:
   /// Returns the sequence number for a PlayerInputs message sent at `now`.
-  std::uint8_t nextSequence(Moment now);
-  void receive(const ConfirmedTicks& message, Moment now);
+  std::uint8_t nextSequence(Time now);
+  void receive(const ConfirmedTicks& message, Time now);
 
   /// Time from sending an input to receiving ticks decided after it arrived, so it includes the server's wait for its
   /// next tick and message. Smoothed over about 8 messages; 0 before the first.
-  Moment roundTrip() const { return roundTrip_; }
+  Time roundTrip() const { return roundTrip_; }
   /// Lost messages among the last hundred from the server, per cent.
   std::uint32_t lostDownPercent() const { return down_.lostPercent(); }
   /// Lost messages among the last hundred to the server, as it reports them, per cent.
@@ -37,12 +37,12 @@ class LinkMeter {
   LinkStatistics statistics(const PredictionClock* clock) const;
 
  private:
-  std::array<Moment, 256> sentAt_{};  // by sequence number
+  std::array<Time, 256> sentAt_{};  // by sequence number
   std::uint8_t next_ = 0;
   std::uint8_t oldestPending_ = 0;  // the server has not reported this number or a later one
   LossMeter down_;
   std::uint32_t lostUp_ = 0;
-  Moment roundTrip_{};
+  Time roundTrip_{};
 };
 
 }  // namespace platon

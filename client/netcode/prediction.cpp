@@ -20,18 +20,18 @@ Input at(std::span<const Input> inputs, std::size_t slot) { return slot < inputs
 
 }  // namespace
 
-Moment ErrorSmoothing::Correction::remaining(Moment now) const {
-  return std::clamp(kDuration - (now - start), Moment::zero(), kDuration);
+Time ErrorSmoothing::Correction::remaining(Time now) const {
+  return std::clamp(kDuration - (now - start), Time::zero(), kDuration);
 }
 
-Point ErrorSmoothing::Correction::at(Moment now) const {
+Point ErrorSmoothing::Correction::at(Time now) const {
   const std::int64_t left = remaining(now).count();
   return {static_cast<std::int32_t>(offset.x * left / kDuration.count()),
           static_cast<std::int32_t>(offset.y * left / kDuration.count())};
 }
 
-void ErrorSmoothing::add(Point offset, Moment now) {
-  while (count_ > 0 && corrections_.front().remaining(now) == Moment::zero()) dropOldest();
+void ErrorSmoothing::add(Point offset, Time now) {
+  while (count_ > 0 && corrections_.front().remaining(now) == Time::zero()) dropOldest();
   if (count_ == kMaxCorrections) dropOldest();
   corrections_[count_++] = {offset, now};
 }
@@ -41,7 +41,7 @@ void ErrorSmoothing::dropOldest() {
   --count_;
 }
 
-Point ErrorSmoothing::at(Moment now) const {
+Point ErrorSmoothing::at(Time now) const {
   Point sum;
   for (std::size_t i = 0; i < count_; ++i) sum += corrections_[i].at(now);
   return sum;
@@ -114,7 +114,7 @@ bool Prediction::restore(std::span<const std::uint8_t> state, std::uint32_t tick
   return true;
 }
 
-void Prediction::reconcile(Moment now) {
+void Prediction::reconcile(Time now) {
   if (!stale_ && confirmedTicks_ <= predictedTicks_) return;
   stale_ = false;
   const std::uint32_t until = std::clamp(predictedTicks_, confirmedTicks_, confirmedTicks_ + maxAhead());
@@ -136,7 +136,7 @@ std::optional<Place> Prediction::localPlace(const Game& game) const {
   return Place{entity.part, entity.position};
 }
 
-void Prediction::correct(const Place& before, Moment now) {
+void Prediction::correct(const Place& before, Time now) {
   const std::optional<Place> after = localPlace(predicted_);
   if (!after || *after == before) return;
   const Geometry& geometry = predicted_.world().geometry();

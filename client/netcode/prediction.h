@@ -12,7 +12,7 @@
 #include "platon/game/game.h"
 #include "platon/game/input.h"
 #include "platon/physics/unfold.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -35,23 +35,23 @@ class ConfirmedObserver {
 /// If more than kMaxCorrections are fading, the oldest is dropped.
 class ErrorSmoothing {
  public:
-  static constexpr Moment kDuration = std::chrono::milliseconds(100);
+  static constexpr Time kDuration = std::chrono::milliseconds(100);
   static constexpr std::size_t kMaxCorrections = 32;
 
   /// Adds a correction made at `now`, which never decreases. `offset`: old minus new position, subunits, in the
   /// player's own frame.
-  void add(Point offset, Moment now);
+  void add(Point offset, Time now);
   /// The offset to add to the predicted position at `now`. Each fading correction is rounded towards zero.
-  Point at(Moment now) const;
+  Point at(Time now) const;
   void clear() { count_ = 0; }
 
  private:
   struct Correction {
     Point offset;
-    Moment start{};
+    Time start{};
 
-    Moment remaining(Moment now) const;
-    Point at(Moment now) const;
+    Time remaining(Time now) const;
+    Point at(Time now) const;
   };
 
   void dropOldest();
@@ -107,7 +107,7 @@ class Prediction {
   /// inputs `held`. Returns false and changes nothing if the state is invalid.
   bool restore(std::span<const std::uint8_t> state, std::uint32_t ticks, std::span<const Input> held);
   /// Replays the prediction where needed. Call after a batch of `confirm` or `restore`.
-  void reconcile(Moment now);
+  void reconcile(Time now);
 
   const Game& confirmed() const { return confirmed_; }
   const Game& predicted() const { return predicted_; }
@@ -129,7 +129,7 @@ class Prediction {
   std::uint64_t work() const { return work_; }
   const PredictionStatistics& statistics() const { return statistics_; }
   /// Offset to add to the local player's predicted position to hide corrections: subunits, in the player's own frame.
-  Point smoothing(Moment now) const { return smoothing_.at(now); }
+  Point smoothing(Time now) const { return smoothing_.at(now); }
 
  private:
   std::uint32_t maxAhead() const;
@@ -139,7 +139,7 @@ class Prediction {
   void countMisprediction();
   void replay(std::uint32_t until);
   void advancePredicted(Input local);
-  void correct(const Place& before, Moment now);
+  void correct(const Place& before, Time now);
 
   std::uint32_t slot_;
   Game confirmed_;

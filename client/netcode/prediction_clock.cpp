@@ -19,7 +19,7 @@ std::uint32_t toTick(double tick) {
 
 }  // namespace
 
-void PredictionClock::receive(const ConfirmedTicks& message, Moment now) {
+void PredictionClock::receive(const ConfirmedTicks& message, Time now) {
   const double newest = double{1} * message.from + message.count;
   // A message of maximum length is part of a backlog and does not show the server's current tick.
   if (message.count < kMaxTicksPerMessage) startOrAdvance(newest + lead_, now);
@@ -28,7 +28,7 @@ void PredictionClock::receive(const ConfirmedTicks& message, Moment now) {
 }
 
 // The first message may have been delayed, so until the server reports slack the least delayed message sets the clock.
-void PredictionClock::startOrAdvance(double tick, Moment now) {
+void PredictionClock::startOrAdvance(double tick, Time now) {
   if (clock_) {
     if (reports_ == 0) clock_->setTarget(std::max(clock_->target(), clock_->lead() + tick - clock_->tick()));
     return;
@@ -38,7 +38,7 @@ void PredictionClock::startOrAdvance(double tick, Moment now) {
   firstInput_ = toTick(tick);
 }
 
-void PredictionClock::update(Moment now, std::uint32_t next) {
+void PredictionClock::update(Time now, std::uint32_t next) {
   if (!clock_) return;
   const double before = clock_->tick();
   const bool jumped = clock_->update(now, settling() && clock_->error() < -kJumpTicksWhileSettling);

@@ -7,7 +7,7 @@
 
 #include "client/time/quantile_window.h"
 #include "client/time/slewing_clock.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/to_client.h"
 
 namespace platon {
@@ -35,14 +35,14 @@ class PredictionClock {
   explicit PredictionClock(double lead) : lead_(lead) {}
 
   /// The initial lead of a client whose Hello was answered after `answerTime`.
-  static double initialLead(Moment answerTime) { return toTicks(answerTime) + kInitialSpareTicks; }
+  static double initialLead(Time answerTime) { return toTicks(answerTime) + kInitialSpareTicks; }
 
   /// Handles a ConfirmedTicks message of the round, even one without new ticks.
-  void receive(const ConfirmedTicks& message, Moment now);
+  void receive(const ConfirmedTicks& message, Time now);
 
   /// Advances to `now`, which never decreases. `next`: the first tick without a local input; all ticks that the clock
   /// reaches by now get their inputs together.
-  void update(Moment now, std::uint32_t next);
+  void update(Time now, std::uint32_t next);
   /// Whether the input for `tick` must have been chosen by now.
   bool reaches(std::uint32_t tick) const { return clock_ && double{1} * tick + 1 <= clock_->tick(); }
   /// Call when the input for `tick` has been chosen.
@@ -77,7 +77,7 @@ class PredictionClock {
     double lead = 0;
   };
 
-  void startOrAdvance(double tick, Moment now);
+  void startOrAdvance(double tick, Time now);
   bool settling() const { return reports_ <= kSettlingReports; }
   void addReport(const SlackReport& report);
   void addSample(std::uint32_t tick, std::int32_t slack);

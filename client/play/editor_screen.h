@@ -30,7 +30,7 @@ class EditSession {
   /// Saves the text. What another program has written meanwhile is replaced only when the user asks again.
   void save();
   /// Shows what another program has written. Call in each frame.
-  void followFile(Moment now) { takeFileChange(file_.pollChange(FileWatch::Time(now))); }
+  void followFile(Time now) { takeFileChange(file_.pollChange(FileWatch::Time(now))); }
 
  private:
   void takeFileChange(const std::optional<std::string>& text);
@@ -69,7 +69,7 @@ class EditorScreen : public Screen {
   Next handle(const WindowEvent& event) override;
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
-  Moment frameTime() const override { return frameTimeOf(!window_->focused(), settings_.frameCap); }
+  Time frameTime() const override { return frameTimeOf(!window_->focused(), settings_.frameCap); }
   void leave() override;
 
   const Editor& editor() const { return session_->editor(); }

@@ -22,7 +22,7 @@ namespace platon {
 namespace {
 
 // For how long a list of servers is not read again.
-constexpr Moment kListLife = std::chrono::seconds(60);
+constexpr Time kListLife = std::chrono::seconds(60);
 
 std::optional<std::uint16_t> portOf(const std::string& text) {
   std::uint16_t port = 0;
@@ -98,7 +98,7 @@ void JoinPage::show() {
   });
 }
 
-void JoinPage::update(Moment now) {
+void JoinPage::update(Time now) {
   const bool shown = std::exchange(shown_, false);
   // While the player types, the URL is not complete.
   const bool types = shown && menu_->isOpen() && menu_->focus() == itemOfList(form_);
@@ -137,7 +137,7 @@ void JoinPage::takeListUrl() {
 }
 
 // The list is kept while other pages are shown.
-void JoinPage::readList(Moment now) {
+void JoinPage::readList(Time now) {
   form_.listFault = listUrlFault_;
   form_.hasList = !listUrl().empty();
   if (!form_.hasList) return;

@@ -36,12 +36,12 @@ class JoinPage {
   /// Shows it to ask for the password of a server, after it has refused another one if `wrong`.
   void askPassword(const ServerAddress& server, bool wrong);
   /// Finds servers while the page is shown. Call in each frame.
-  void update(Moment now);
+  void update(Time now);
 
  private:
   const std::string& listUrl() const;
   void takeListUrl();
-  void readList(Moment now);
+  void readList(Time now);
   std::vector<JoinForm::Found> foundServers() const;
   void join();
 
@@ -57,7 +57,7 @@ class JoinPage {
   std::string listUrlFault_;               // why it is refused; empty: it is not
   std::unique_ptr<ListedServers> listed_;  // since the page was shown first, of the present URL; null: none
   std::vector<std::unique_ptr<ListedServers>> stopped_;  // of other URLs, until they need not be waited for
-  std::optional<Moment> listReadAt_;
+  std::optional<Time> listReadAt_;
   bool shown_ = false;  // since the last update
 };
 
@@ -84,7 +84,7 @@ class FrontPages {
   /// Shows the page to host a game again, with the reason why it cannot be hosted like that.
   void refuseHost(const std::string& reason);
   /// As JoinPage::update.
-  void update(Moment now) { joinPage_.update(now); }
+  void update(Time now) { joinPage_.update(now); }
   /// The level to see behind the pages; null before the title was shown, and behind the page to join a server, which
   /// may play any.
   std::shared_ptr<const Level> shownLevel();

@@ -23,8 +23,8 @@
 #include "client/ui/hints/new_player_hints.h"
 #include "client/ui/medal.h"
 #include "client/ui/user_interface.h"
-#include "protocol/moment.h"
 #include "protocol/program_error.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -80,7 +80,7 @@ class GameDesk {
   Settings& settings() { return interface.settings(); }
   const Settings& settings() const { return interface.settings(); }
   /// Least time from one frame to the next. `calm`: the player does not look at a game that runs.
-  Moment frameTime(bool calm) const { return frameTimeOf(calm || !window.focused(), settings().frameCap); }
+  Time frameTime(bool calm) const { return frameTimeOf(calm || !window.focused(), settings().frameCap); }
 
   const ClientOptions options;
   const Clock clock;

@@ -28,8 +28,8 @@
 namespace platon {
 namespace {
 
-constexpr Moment kUpdateInterval = std::chrono::milliseconds(4);
-constexpr Moment kAnalysisInterval = std::chrono::milliseconds(10);
+constexpr Time kUpdateInterval = std::chrono::milliseconds(4);
+constexpr Time kAnalysisInterval = std::chrono::milliseconds(10);
 constexpr double kEditSeconds = 10;  // for the analysis, off-screen
 
 // Set by a signal, which may arrive in any thread.
@@ -38,9 +38,9 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not
 
 // Shows screens until the player leaves, the program is stopped, or its time is up.
 void show(ScreenStack& screens, Window& window, const Clock& clock, std::optional<double> seconds) {
-  const Moment start = clock.now();
-  Moment before = start;
-  for (Moment now = start; screens.isOpen() && !stopSignal; now = clock.now()) {
+  const Time start = clock.now();
+  Time before = start;
+  for (Time now = start; screens.isOpen() && !stopSignal; now = clock.now()) {
     if (seconds && toSeconds(now - start) >= *seconds) break;
     const Frame frame{now, toSeconds(now - std::exchange(before, now))};
     window.poll();
@@ -64,9 +64,9 @@ void playInWindow(const ClientOptions& options, const Clock& clock) {
 
 void playOffscreen(const ClientOptions& options, const Clock& clock) {
   OffscreenPlay play(options, clock);
-  const Moment start = clock.now();
+  const Time start = clock.now();
   const double seconds = options.seconds.value_or(OffscreenPlay::kSeconds);
-  for (Moment now = start; toSeconds(now - start) < seconds && !stopSignal; now = clock.now()) {
+  for (Time now = start; toSeconds(now - start) < seconds && !stopSignal; now = clock.now()) {
     play.update();
     clock.sleepUntil(now + kUpdateInterval);
   }
@@ -83,9 +83,9 @@ void edit(const ClientOptions& options, const Clock& clock) {
   }
   const Offscreen offscreen;
   EditorPicture picture{Settings()};
-  const Moment start = clock.now();
+  const Time start = clock.now();
   const double seconds = options.seconds.value_or(kEditSeconds);
-  for (Moment now = start; toSeconds(now - start) < seconds && !stopSignal && !session.analyse(); now = clock.now())
+  for (Time now = start; toSeconds(now - start) < seconds && !stopSignal && !session.analyse(); now = clock.now())
     clock.sleepUntil(now + kAnalysisInterval);
   picture.draw(session.editor());
   writeScreenshot(picture.read(), options.screenshot);
@@ -93,7 +93,7 @@ void edit(const ClientOptions& options, const Clock& clock) {
 
 void drawRecording(const ClientOptions& options, const Clock& clock) {
   OffscreenReplay replay(options, SettingsFile(configFolder()).load(), clock.now());
-  for (Moment now = clock.now(); !replay.read(now); now = clock.now()) {
+  for (Time now = clock.now(); !replay.read(now); now = clock.now()) {
     if (stopSignal) throw replay.stopped();
     clock.sleepUntil(now + kUpdateInterval);
   }
@@ -120,7 +120,7 @@ void benchmark(const ClientOptions& options) {
 // One search; a server in the same network answers within milliseconds.
 void listNearServers(const Clock& clock) {
   NearServers servers = searchNearby();
-  for (const Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopSignal;) {
+  for (const Time end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopSignal;) {
     servers.update(clock.now());
     servers.socket().wait(std::chrono::milliseconds(20));
   }
@@ -133,7 +133,7 @@ void listNearServers(const Clock& clock) {
 // Returns the exit code: 1 if the list could not be read as a whole.
 int printListedServers(const std::string& url, const Clock& clock) {
   ListedServers servers(url);
-  for (Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopSignal;) {
+  for (Time end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopSignal;) {
     servers.update(clock.now());
     if (servers.reading()) end = clock.now() + std::chrono::seconds(1);
     servers.wait(std::chrono::milliseconds(20));

@@ -29,7 +29,7 @@ class MatchScreen : public Screen {
   Next handle(const WindowEvent& event) override;
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
-  Moment frameTime() const override { return desk_->frameTime(desk_->menu.isOpen()); }
+  Time frameTime() const override { return desk_->frameTime(desk_->menu.isOpen()); }
   /// The game goes on, and comes to the front when somebody joins.
   bool updateBehind(const Frame& frame) override;
   Next reveal(const Ending& ending) override;

@@ -85,7 +85,7 @@ class ReplayScreen : public Screen {
   Next handle(const WindowEvent& event) override;
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
-  Moment frameTime() const override { return desk_->frameTime(false); }
+  Time frameTime() const override { return desk_->frameTime(false); }
 
   /// Null while the file is being read.
   const ReplayViewer* viewer() const { return play_.viewer(); }

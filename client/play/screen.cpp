@@ -53,9 +53,9 @@ void ScreenStack::perform(Next next) {
   }
 }
 
-Moment frameTimeOf(bool calm, double frameCap) {
+Time frameTimeOf(bool calm, double frameCap) {
   if (calm) return kCalmFrameTime;
-  return frameCap < 1 ? kMinFrameTime : std::max(kMinFrameTime, Moment(static_cast<Moment::rep>(1e6 / frameCap)));
+  return frameCap < 1 ? kMinFrameTime : std::max(kMinFrameTime, Time(static_cast<Time::rep>(1e6 / frameCap)));
 }
 
 Window openWindow(const std::string& otherwise) {

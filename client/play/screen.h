@@ -12,15 +12,15 @@
 #include "client/gl/image.h"
 #include "client/gl/window.h"
 #include "client/play/match/live_match.h"
-#include "protocol/moment.h"
 #include "protocol/program_error.h"
+#include "protocol/time.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {
 
 /// One drawn image in time.
 struct Frame {
-  Moment now{};
+  Time now{};
   double seconds = 0;  ///< since the last frame
 };
 
@@ -67,7 +67,7 @@ class Screen {
   virtual Next update(const Frame& frame) = 0;
   virtual void draw(const Frame& frame) = 0;
   /// Least time from one frame to the next.
-  virtual Moment frameTime() const = 0;
+  virtual Time frameTime() const = 0;
 
   /// Takes the place of `update` while other screens are in front of it. Returns whether it has to come to the front.
   virtual bool updateBehind(const Frame& /*frame*/) { return false; }
@@ -88,7 +88,7 @@ class ScreenStack {
   void handle(const WindowEvent& event);
   void update(const Frame& frame);
   void draw(const Frame& frame);
-  Moment frameTime() const { return isOpen() ? screens_.back()->frameTime() : Moment(); }
+  Time frameTime() const { return isOpen() ? screens_.back()->frameTime() : Time(); }
   /// Closes all screens, from the front to the back.
   void close();
 
@@ -114,14 +114,14 @@ inline constexpr std::uint32_t kPictureWidth = 1280;
 inline constexpr std::uint32_t kPictureHeight = 720;
 
 /// Shortest time of a picture, for drivers that do not wait for the vertical blank.
-inline constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);
+inline constexpr Time kMinFrameTime = std::chrono::milliseconds(2);
 
 /// Least time from one picture to the next while the player does not look at a game that runs.
-inline constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);
+inline constexpr Time kCalmFrameTime = std::chrono::microseconds(33'333);
 
 /// Least time from one picture to the next: kCalmFrameTime in a `calm` window, else that of `frameCap` pictures a
 /// second (Settings::frameCap), but at least kMinFrameTime.
-Moment frameTimeOf(bool calm, double frameCap);
+Time frameTimeOf(bool calm, double frameCap);
 
 /// Opens the window of the program. Throws ProgramError if there is none. Without a display its text ends with
 /// `otherwise`, which says what can be done without a window.

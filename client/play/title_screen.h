@@ -20,7 +20,7 @@ class TitleScreen : public Screen {
   Next handle(const WindowEvent& event) override;
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
-  Moment frameTime() const override { return desk_->frameTime(true); }
+  Time frameTime() const override { return desk_->frameTime(true); }
   Next reveal(const Ending& ending) override;
   void leave() override { desk_->finish(); }
 

@@ -42,11 +42,11 @@ Quality QualityTrial::quality(const QualityChoice& choice) const {
   return measuring ? namedQuality(*meter_.next()).quality : choice.quality();
 }
 
-void QualityTrial::draw(QualityChoice& choice, const std::function<Moment()>& now, const std::function<void()>& finish,
+void QualityTrial::draw(QualityChoice& choice, const std::function<Time()>& now, const std::function<void()>& finish,
                         const std::function<void()>& draw) {
   if (choice.level) return draw();
   finish();
-  const Moment before = now();
+  const Time before = now();
   draw();
   finish();
   add(toSeconds(now() - before), choice);

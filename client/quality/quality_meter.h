@@ -9,7 +9,7 @@
 #include "client/quality/quality.h"
 #include "client/quality/quality_choice.h"
 #include "client/time/quantile_window.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -60,7 +60,7 @@ class QualityTrial {
   Quality quality(const QualityChoice& choice) const;
   /// Draws a picture of a match by `draw`. Measures it by the clock `now` while no level is chosen; `finish` waits
   /// until all is drawn. When the level is chosen, it is set.
-  void draw(QualityChoice& choice, const std::function<Moment()>& now, const std::function<void()>& finish,
+  void draw(QualityChoice& choice, const std::function<Time()>& now, const std::function<void()>& finish,
             const std::function<void()>& draw);
 
  private:

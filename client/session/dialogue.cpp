@@ -6,16 +6,16 @@
 
 namespace platon {
 
-Dialogue::Dialogue(const Hello& hello, Moment now) : helloAt_(now), receivedAt_(now) { send(hello, true); }
+Dialogue::Dialogue(const Hello& hello, Time now) : helloAt_(now), receivedAt_(now) { send(hello, true); }
 
-std::optional<ToClient> Dialogue::receive(std::span<const std::uint8_t> bytes, Moment now) {
+std::optional<ToClient> Dialogue::receive(std::span<const std::uint8_t> bytes, Time now) {
   receivedAt_ = now;
   std::optional<ToClient> message = decodeToClient(bytes);
   if (!message) end({"protocol error: malformed message from the server", true});
   return message;
 }
 
-std::optional<double> Dialogue::begin(const Welcome& message, Moment now) {
+std::optional<double> Dialogue::begin(const Welcome& message, Time now) {
   if (welcome_) {
     end({"protocol error: second Welcome from the server", true});
     return std::nullopt;
@@ -39,7 +39,7 @@ void Dialogue::endAsTold(const char* what, const std::string& why, bool permanen
   end({reason.empty() ? what : what + (": " + reason), permanent || goesOn, goesOn ? next : ""});
 }
 
-void Dialogue::sendInputs(PlayerInputs message, Moment now) {
+void Dialogue::sendInputs(PlayerInputs message, Time now) {
   message.sequence = linkMeter_.nextSequence(now);
   send(message, false);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/netcode/link_meter.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 
@@ -32,21 +32,21 @@ struct SessionEnding {
 class Dialogue {
  public:
   /// Queues `hello`. `now`: when the connection was established.
-  Dialogue(const Hello& hello, Moment now);
+  Dialogue(const Hello& hello, Time now);
 
   /// The message in these bytes. Malformed bytes end the session.
-  std::optional<ToClient> receive(std::span<const std::uint8_t> bytes, Moment now);
+  std::optional<ToClient> receive(std::span<const std::uint8_t> bytes, Time now);
   /// Keeps Welcome. Returns the initial lead of the first round; nothing for a second Welcome, which ends the session.
-  std::optional<double> begin(const Welcome& message, Moment now);
+  std::optional<double> begin(const Welcome& message, Time now);
   void end(const Refused& message);
   void end(const Bye& message);
   void end(SessionEnding ending) { ending_ = std::move(ending); }
   /// Measures the connection by a message of any round.
-  void measure(const ConfirmedTicks& message, Moment now) { linkMeter_.receive(message, now); }
+  void measure(const ConfirmedTicks& message, Time now) { linkMeter_.receive(message, now); }
 
   void send(const auto& message, bool reliable) { outgoing_.push_back({encode(message), reliable}); }
   /// Sends inputs under the next sequence number.
-  void sendInputs(PlayerInputs message, Moment now);
+  void sendInputs(PlayerInputs message, Time now);
   /// Queued messages, oldest first; each is returned once.
   std::vector<OutgoingMessage> takeOutgoing() { return std::exchange(outgoing_, {}); }
 
@@ -55,15 +55,15 @@ class Dialogue {
   /// Empty while the session runs.
   const std::optional<SessionEnding>& ending() const { return ending_; }
   /// When the last message was received.
-  Moment receivedAt() const { return receivedAt_; }
+  Time receivedAt() const { return receivedAt_; }
   /// `clock`: of the present round; null: none.
   LinkStatistics linkStatistics(const PredictionClock* clock) const { return linkMeter_.statistics(clock); }
 
  private:
   void endAsTold(const char* what, const std::string& why, bool permanent, const std::string& next);
 
-  Moment helloAt_;
-  Moment receivedAt_;
+  Time helloAt_;
+  Time receivedAt_;
   std::optional<Welcome> welcome_;
   std::optional<SessionEnding> ending_;
   std::vector<OutgoingMessage> outgoing_;

@@ -24,15 +24,15 @@ SessionToken randomToken() {
 }
 
 // 0 after the first answered attempt, then kFirstPause × 1, 2, 4 …
-Moment pauseAfter(std::uint32_t answered) {
-  if (answered == 0) return Moment{};
+Time pauseAfter(std::uint32_t answered) {
+  if (answered == 0) return Time{};
   const std::uint32_t doublings = std::min(answered - 1, 16u);
   return std::min(NetworkClient::kFirstPause * (1 << doublings), NetworkClient::kMaxPause);
 }
 
 }  // namespace
 
-NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile, Moment now)
+NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile, Time now)
     : server_(server), profile_(profile), state_(Connecting{now}) {
   const ServerAddress target = profile.relay.value_or(server);
   memory_.token = profile.token ? *profile.token : randomToken();
@@ -42,7 +42,7 @@ NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile
   connection_.emplace(resolved_, profile_.knowledge);
 }
 
-void NetworkClient::update(Moment now, const Controls& controls) {
+void NetworkClient::update(Time now, const Controls& controls) {
   if (const auto* paused = std::get_if<Paused>(&state_); paused != nullptr && now >= paused->until) connect(now);
   if (!connection_) return;
   connection_->service(now, [this, now](std::span<const std::uint8_t> message) {
@@ -61,7 +61,7 @@ void NetworkClient::sendOutgoing() {
   if (is<Leaving>()) connection_->close();
 }
 
-void NetworkClient::connect(Moment now) {
+void NetworkClient::connect(Time now) {
   state_ = Connecting{now};
   try {
     connection_.emplace(resolved_, profile_.knowledge);
@@ -70,12 +70,12 @@ void NetworkClient::connect(Moment now) {
   }
 }
 
-void NetworkClient::startSession(Moment now) {
+void NetworkClient::startSession(Time now) {
   session_.emplace(profile_.name, now, memory_);
   state_ = InSession{now};
 }
 
-void NetworkClient::checkConnecting(Moment now) {
+void NetworkClient::checkConnecting(Time now) {
   if (connection_->identity()) profile_.knowledge.identity = connection_->identity();
   if (connection_->state() == Connection::State::kConnected) return startSession(now);
   if (connection_->refused()) {
@@ -86,7 +86,7 @@ void NetworkClient::checkConnecting(Moment now) {
   fail({"no answer from " + server_.text() + " within 5 s: is platon-server running there?", false}, now);
 }
 
-void NetworkClient::checkSession(Moment now) {
+void NetworkClient::checkSession(Time now) {
   const bool timedOut = now - std::get<InSession>(state_).since > kWelcomeTimeout;
   welcomed_ = welcomed_ || session_->welcome();  // also when the session has ended in the same call
   if (session_->ending()) return fail(*session_->ending(), now);
@@ -105,7 +105,7 @@ bool NetworkClient::mayRetry(const SessionEnding& failure) const {
   return welcomed_ || (is<InSession>() && !session_->ending() && recovery_.failed + 1 < kMaxFirstAttempts);
 }
 
-void NetworkClient::fail(const SessionEnding& failure, Moment now) {
+void NetworkClient::fail(const SessionEnding& failure, Time now) {
   const bool retries = mayRetry(failure);
   if (is<InSession>()) {
     session_->connectionLost(failure.reason);
@@ -114,7 +114,7 @@ void NetworkClient::fail(const SessionEnding& failure, Moment now) {
   if (retries) {
     if (!recovery_.outage || isRefused()) recovery_.outage = failure.reason;
     ++recovery_.failed;
-    const Moment pause = pauseAfterFailure();
+    const Time pause = pauseAfterFailure();
     dropConnection();
     state_ = Paused{now + pause};
   } else {
@@ -130,9 +130,9 @@ bool NetworkClient::isRefused() const {
 }
 
 // No pause after an unanswered attempt, because its timeout is long enough.
-Moment NetworkClient::pauseAfterFailure() {
+Time NetworkClient::pauseAfterFailure() {
   const bool unanswered = connection_ && is<Connecting>();
-  return unanswered ? Moment{} : pauseAfter(recovery_.answered++);
+  return unanswered ? Time{} : pauseAfter(recovery_.answered++);
 }
 
 void NetworkClient::dropConnection() {
@@ -159,10 +159,10 @@ std::optional<DesyncReport> NetworkClient::takeDesync() { return session_ ? sess
 
 Traffic NetworkClient::traffic() const { return connection_ ? pastTraffic_ + connection_->traffic() : pastTraffic_; }
 
-void updateUntilClosed(const Clock& clock, const std::function<void(Moment)>& update,
+void updateUntilClosed(const Clock& clock, const std::function<void(Time)>& update,
                        const std::function<bool()>& closed) {
-  const Moment end = clock.now() + std::chrono::milliseconds(500);
-  for (Moment now = clock.now(); now < end && !closed(); now = clock.now()) {
+  const Time end = clock.now() + std::chrono::milliseconds(500);
+  for (Time now = clock.now(); now < end && !closed(); now = clock.now()) {
     update(now);
     clock.sleepUntil(now + std::chrono::milliseconds(2));
   }

@@ -11,7 +11,7 @@
 #include "client/net/connection.h"
 #include "client/session/session.h"
 #include "client/time/clock.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/transport/server_address.h"
 
 namespace platon {
@@ -33,24 +33,24 @@ class NetworkClient {
   };
 
   /// Maximum time for the connection to be established.
-  static constexpr Moment kConnectTimeout = std::chrono::seconds(5);
+  static constexpr Time kConnectTimeout = std::chrono::seconds(5);
   /// Maximum time from Hello to Welcome; long enough for several retransmissions.
-  static constexpr Moment kWelcomeTimeout = std::chrono::seconds(8);
+  static constexpr Time kWelcomeTimeout = std::chrono::seconds(8);
   /// Pause after the second attempt that the server answered; doubled with each further one up to kMaxPause.
-  static constexpr Moment kFirstPause = std::chrono::milliseconds(250);
-  static constexpr Moment kMaxPause = std::chrono::seconds(2);
+  static constexpr Time kFirstPause = std::chrono::milliseconds(250);
+  static constexpr Time kMaxPause = std::chrono::seconds(2);
   /// Attempts to join for the first time, if the server answers connection requests.
   static constexpr std::uint32_t kMaxFirstAttempts = 3;
 
   /// Starts to connect. Throws SocketError if the host name cannot be resolved or no socket is available.
-  NetworkClient(const ServerAddress& server, const Profile& profile, Moment now);
+  NetworkClient(const ServerAddress& server, const Profile& profile, Time now);
 
   /// Receives, predicts up to `now` and sends. Call every few milliseconds.
-  void update(Moment now, const Controls& controls);
+  void update(Time now, const Controls& controls);
   /// Wishes the next level, or takes this wish back (Session::toggleVote). No effect without a session.
   void toggleVote();
   /// Says something to all players (Session::say). Returns false without a session.
-  bool say(const Chat& chat, Moment now) { return is<InSession>() && session_->say(chat, now); }
+  bool say(const Chat& chat, Time now) { return is<InSession>() && session_->say(chat, now); }
   /// Leaves the match. Keep calling `update` until `closed`. Closes at once if there is no session.
   void leave();
 
@@ -89,15 +89,15 @@ class NetworkClient {
 
  private:
   struct Connecting {
-    Moment since;
+    Time since;
   };
   // session_ runs over connection_.
   struct InSession {
-    Moment since;
+    Time since;
   };
   // There is no connection.
   struct Paused {
-    Moment until;
+    Time until;
   };
   // ending_ is set. The connection of the last session may still be open.
   struct Ended {};
@@ -114,14 +114,14 @@ class NetworkClient {
   bool is() const {
     return std::holds_alternative<State>(state_);
   }
-  void connect(Moment now);
-  void startSession(Moment now);
-  void checkConnecting(Moment now);
-  void checkSession(Moment now);
+  void connect(Time now);
+  void startSession(Time now);
+  void checkConnecting(Time now);
+  void checkSession(Time now);
   bool mayRetry(const SessionEnding& failure) const;
   bool isRefused() const;
-  void fail(const SessionEnding& failure, Moment now);
-  Moment pauseAfterFailure();
+  void fail(const SessionEnding& failure, Time now);
+  Time pauseAfterFailure();
   void dropConnection();
   void sendOutgoing();
 
@@ -142,7 +142,7 @@ class NetworkClient {
 
 /// Calls `update` every 2 ms until `closed` returns true, for half a second at most: the time that a Leave message gets
 /// to reach the server.
-void updateUntilClosed(const Clock& clock, const std::function<void(Moment)>& update,
+void updateUntilClosed(const Clock& clock, const std::function<void(Time)>& update,
                        const std::function<bool()>& closed);
 
 }  // namespace platon

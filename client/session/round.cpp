@@ -4,7 +4,7 @@
 
 namespace platon {
 
-bool RoundExchange::receive(const ConfirmedTicks& message, std::uint32_t confirmed, Moment now) {
+bool RoundExchange::receive(const ConfirmedTicks& message, std::uint32_t confirmed, Time now) {
   if (message.round != id_) return false;
   clock_.receive(message, now);
   return confirmed >= message.from && confirmed < message.from + message.count;
@@ -36,7 +36,7 @@ Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::u
   if (observer_ != nullptr) observer_->began(prediction_.confirmed(), slot);
 }
 
-void Round::receive(const ConfirmedTicks& message, Moment now) {
+void Round::receive(const ConfirmedTicks& message, Time now) {
   if (!exchange_.receive(message, prediction_.confirmedTicks(), now)) return;
   const bool complete = applyTicks(message);
   interpolationBuffer_.arrived(now);
@@ -103,7 +103,7 @@ void Round::restore(const StateChunk& last, std::span<const std::uint8_t> bytes)
   if (hadTicks) ++statistics_.resyncs;
 }
 
-void Round::advance(Moment now, const Controls& controls) {
+void Round::advance(Time now, const Controls& controls) {
   interpolationBuffer_.update(now);
   prediction_.reconcile(now);
   exchange_.update(now, prediction_.predictedTicks());
@@ -131,7 +131,7 @@ void Round::observeLocal() {
   attemptTime_.observe(ticks, game.player(slot));
 }
 
-std::optional<PlayerInputs> Round::takeMessage(Moment now) {
+std::optional<PlayerInputs> Round::takeMessage(Time now) {
   return exchange_.takeMessage(now, {prediction_.confirmedTicks(), hash_, sync_});
 }
 

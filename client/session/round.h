@@ -15,7 +15,7 @@
 #include "client/netcode/prediction.h"
 #include "client/netcode/prediction_clock.h"
 #include "platon/game/game.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transfer.h"
@@ -44,12 +44,12 @@ class RoundExchange {
 
   /// Handles ConfirmedTicks. Returns whether its ticks are to be confirmed after the first `confirmed` ones: not those
   /// of another round, those that are confirmed already, and those that leave a gap.
-  bool receive(const ConfirmedTicks& message, std::uint32_t confirmed, Moment now);
+  bool receive(const ConfirmedTicks& message, std::uint32_t confirmed, Time now);
   /// Handles a chunk of a full state. Returns the state if the chunk completes it.
   std::optional<std::vector<std::uint8_t>> receive(const StateChunk& chunk);
 
   /// Advances the clock to `now`. `next`: the first tick without a local input.
-  void update(Moment now, std::uint32_t next) { clock_.update(now, next); }
+  void update(Time now, std::uint32_t next) { clock_.update(now, next); }
   /// Whether the input for `tick` must have been chosen by now.
   bool isDue(std::uint32_t tick) const { return clock_.reaches(tick); }
   /// The local input for `tick`, which is due and is sent with the next messages: what `buttons` returns. Nothing for
@@ -59,7 +59,7 @@ class RoundExchange {
   /// Makes the next message due at once.
   void sendSoon() { inputSender_.sendSoon(); }
   /// The message to send at `now`, without its sequence number; nothing if none is due.
-  std::optional<PlayerInputs> takeMessage(Moment now, const ConfirmedState& confirmed) {
+  std::optional<PlayerInputs> takeMessage(Time now, const ConfirmedState& confirmed) {
     return inputSender_.takeMessage(now, confirmed);
   }
 
@@ -104,15 +104,15 @@ class Round {
   static constexpr std::uint64_t kMaxWorkConfirmed = 4096;
 
   /// Ticks of another round, that are confirmed already, or that leave a gap, are ignored.
-  void receive(const ConfirmedTicks& message, Moment now);
+  void receive(const ConfirmedTicks& message, Time now);
   /// Takes a chunk of a full state of this round. Returns whether it completes the state. An invalid one is ignored.
   bool receive(const StateChunk& chunk);
 
   /// Replays the prediction if it was wrong, and predicts up to `now`.
-  void advance(Moment now, const Controls& controls);
+  void advance(Time now, const Controls& controls);
 
   /// The message to send at `now`, without its sequence number; nothing if none is due.
-  std::optional<PlayerInputs> takeMessage(Moment now);
+  std::optional<PlayerInputs> takeMessage(Time now);
 
  private:
   void restore(const StateChunk& last, std::span<const std::uint8_t> bytes);

@@ -25,7 +25,7 @@ RoundStatistics sum(const RoundStatistics& a, const RoundStatistics& b) {
 
 }  // namespace
 
-Session::Session(const std::string& name, Moment now, Memory memory)
+Session::Session(const std::string& name, Time now, Memory memory)
     : token_(memory.token),
       observer_(std::move(memory.observer)),
       levels_(std::move(memory.levels), std::move(memory.store)),
@@ -35,14 +35,14 @@ Session::Session(const std::string& name, Moment now, Memory memory)
       pastPrediction_(memory.prediction),
       pastRounds_(memory.rounds) {}
 
-void Session::receive(std::span<const std::uint8_t> bytes, Moment now) {
+void Session::receive(std::span<const std::uint8_t> bytes, Time now) {
   if (ending()) return;
   const std::optional<ToClient> message = dialogue_.receive(bytes, now);
   if (message) std::visit([&](const auto& content) { handle(content, now); }, *message);
   if (ending()) reportLastDesync();
 }
 
-void Session::handle(const Welcome& message, Moment now) {
+void Session::handle(const Welcome& message, Time now) {
   const std::optional<double> lead = dialogue_.begin(message, now);
   if (!lead) return;
   lead_ = *lead;
@@ -51,11 +51,11 @@ void Session::handle(const Welcome& message, Moment now) {
   startRound({message.round, message.levelHash});
 }
 
-void Session::handle(const Refused& message, Moment) { dialogue_.end(message); }
+void Session::handle(const Refused& message, Time) { dialogue_.end(message); }
 
-void Session::handle(const Bye& message, Moment) { dialogue_.end(message); }
+void Session::handle(const Bye& message, Time) { dialogue_.end(message); }
 
-void Session::handle(const RoundStart& message, Moment) {
+void Session::handle(const RoundStart& message, Time) {
   if (!welcome()) return dialogue_.end({"protocol error: RoundStart before Welcome", true});
   startRound(message);
 }
@@ -93,7 +93,7 @@ void Session::requestLevel(std::uint64_t hash) {
   dialogue_.send(LevelRequest{hash}, true);
 }
 
-void Session::handle(const LevelChunk& message, Moment) {
+void Session::handle(const LevelChunk& message, Time) {
   const KnownLevels::Receipt receipt = levels_.receive(message, work_);
   if (receipt == KnownLevels::Receipt::kInvalid)
     return dialogue_.end({"protocol error: invalid level from the server", true});
@@ -107,30 +107,30 @@ void Session::prefetch() {
   if (roundEnd_ && !pendingRound_) requestLevel(roundEnd_->nextLevelHash);
 }
 
-void Session::handle(const ConfirmedTicks& message, Moment now) {
+void Session::handle(const ConfirmedTicks& message, Time now) {
   dialogue_.measure(message, now);
   if (round_) round_->receive(message, now);
 }
 
-void Session::handle(const StateChunk& message, Moment) {
+void Session::handle(const StateChunk& message, Time) {
   if (!round_ || !round_->receive(message)) return;
   work_.addMessage();
   work_.addBytes(message.total);
   desyncs_.add(round_->takeDesync(), dialogue_.receivedAt());
 }
 
-void Session::handle(const VoteCount& message, Moment) {
+void Session::handle(const VoteCount& message, Time) {
   if (round_ && round_->id() == message.round) voteCount_ = message;
 }
 
-void Session::handle(const RoundEnd& message, Moment) {
+void Session::handle(const RoundEnd& message, Time) {
   roundEnd_ = message;
   roundEnd_->nextTitle = visibleLabel(message.nextTitle);
   if (roundEnd_->best) roundEnd_->best->name = visibleLabel(roundEnd_->best->name);
   prefetch();
 }
 
-void Session::update(Moment now, const Controls& controls) {
+void Session::update(Time now, const Controls& controls) {
   if (ending()) return;
   if (welcome() && now - dialogue_.receivedAt() > kTimeout) return connectionLost("connection timed out");
   if (std::optional<SessionEnding> tooMuch = work_.check(now, round_ ? round_->prediction().work() : 0)) {
@@ -165,7 +165,7 @@ void Session::toggleVote() {
   dialogue_.send(Vote{round_->id(), wishesNext_}, true);
 }
 
-bool Session::say(const Chat& chat, Moment now) {
+bool Session::say(const Chat& chat, Time now) {
   if (ending() || !welcome() || !talk_.maySay(now)) return false;
   dialogue_.send(chat, true);
   return true;

@@ -14,7 +14,7 @@
 #include "client/session/talk.h"
 #include "client/session/work_limit.h"
 #include "platon/game/level.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 
@@ -36,22 +36,22 @@ class Session {
   };
 
   /// A session ends if it receives nothing for this long after Welcome.
-  static constexpr Moment kTimeout = std::chrono::seconds(4);
+  static constexpr Time kTimeout = std::chrono::seconds(4);
 
   /// `name`: a valid label of at most kMaxNameBytes; may be empty. `now`: when the connection was established.
   /// `memory`: of the previous session, whose player and statistics this one resumes.
-  Session(const std::string& name, Moment now, Memory memory = {});
+  Session(const std::string& name, Time now, Memory memory = {});
 
   /// Handles a message from the server. A malformed message ends the session.
-  void receive(std::span<const std::uint8_t> bytes, Moment now);
+  void receive(std::span<const std::uint8_t> bytes, Time now);
   /// Predicts up to `now` and queues a message to the server when one is due. Call every few milliseconds.
-  void update(Moment now, const Controls& controls);
+  void update(Time now, const Controls& controls);
   /// Wishes that the next level follows at once, or takes this wish back. The wish ends with the round and with the
   /// session. No effect without a round, and when it is over.
   void toggleVote();
   /// Says a text or an emote to all players, as soon as the server passes it on. `chat`: isChat. Returns false, without
   /// effect, before Welcome, after the end, and when the server would drop it because this client has said too much.
-  bool say(const Chat& chat, Moment now);
+  bool say(const Chat& chat, Time now);
   /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
   /// Ends the session because its connection was lost.
@@ -77,9 +77,7 @@ class Session {
   /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return talk_.names(); }
   /// Round trip between the server and the player of a slot (Talk::roundTripMs).
-  std::optional<std::uint32_t> roundTripMs(std::uint32_t slot, Moment now) const {
-    return talk_.roundTripMs(slot, now);
-  }
+  std::optional<std::uint32_t> roundTripMs(std::uint32_t slot, Time now) const { return talk_.roundTripMs(slot, now); }
   /// The newest text of the server's operator, which a player can see; each is returned once.
   std::optional<std::string> takeNotice() { return talk_.takeNotice(); }
   /// What players have said, oldest first; each is returned once. At most Talk::kMaxChats are kept.
@@ -93,16 +91,16 @@ class Session {
   RoundStatistics roundStatistics() const;
 
  private:
-  void handle(const Welcome& message, Moment now);
-  void handle(const Refused& message, Moment now);
-  void handle(const Bye& message, Moment now);
-  void handle(const LevelChunk& message, Moment now);
-  void handle(const RoundStart& message, Moment now);
-  void handle(const ConfirmedTicks& message, Moment now);
-  void handle(const StateChunk& message, Moment now);
-  void handle(const VoteCount& message, Moment now);
-  void handle(const RoundEnd& message, Moment now);
-  void handle(const auto& message, Moment now) { talk_.receive(message, now); }
+  void handle(const Welcome& message, Time now);
+  void handle(const Refused& message, Time now);
+  void handle(const Bye& message, Time now);
+  void handle(const LevelChunk& message, Time now);
+  void handle(const RoundStart& message, Time now);
+  void handle(const ConfirmedTicks& message, Time now);
+  void handle(const StateChunk& message, Time now);
+  void handle(const VoteCount& message, Time now);
+  void handle(const RoundEnd& message, Time now);
+  void handle(const auto& message, Time now) { talk_.receive(message, now); }
 
   void startRound(RoundStart start);
   void closeRound();

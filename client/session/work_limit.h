@@ -8,7 +8,7 @@
 
 #include "client/netcode/prediction.h"
 #include "client/session/dialogue.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/token_bucket.h"
 
 namespace platon {
@@ -20,16 +20,16 @@ class WorkLimit {
   /// Largest work per second: 30 replays of Prediction::kMaxWorkAhead, and 256 players for 120 ticks. A session that
   /// had to do more for kTime ends.
   static constexpr double kMaxPerSecond = 524'288;
-  static constexpr Moment kTime = std::chrono::seconds(5);
+  static constexpr Time kTime = std::chrono::seconds(5);
   /// A session also ends if for kTime every update has much work and comes late after the one before: this computer
   /// cannot keep up, for instance because the level makes every player slow.
-  static constexpr Moment kSlowUpdate = std::chrono::milliseconds(250);
+  static constexpr Time kSlowUpdate = std::chrono::milliseconds(250);
   static constexpr std::uint64_t kSlowWork = 4096;
 
   // A server with more than a few players sends ticks 30 times a second.
   static_assert(kTicksPerSecond / 2 * Prediction::kMaxWorkAhead + 2 * kTicksPerSecond * kMaxPlayers <= kMaxPerSecond);
 
-  explicit WorkLimit(Moment now) : budget_(kMaxPerSecond, kMaxPerSecond * toSeconds(kTime), now), checkedAt_(now) {}
+  explicit WorkLimit(Time now) : budget_(kMaxPerSecond, kMaxPerSecond * toSeconds(kTime), now), checkedAt_(now) {}
 
   void add(std::uint64_t work) { work_ += work; }
   /// Adds the work of starting a round, or of reading a level or a state, without that of their bytes.
@@ -40,12 +40,12 @@ class WorkLimit {
 
   /// Why the session ends; nothing while the work is bearable. Call once an update. `predicted`: work of the present
   /// round's prediction, which has not been added.
-  std::optional<SessionEnding> check(Moment now, std::uint64_t predicted) {
+  std::optional<SessionEnding> check(Time now, std::uint64_t predicted) {
     const std::uint64_t total = work_ + predicted;
     const std::uint64_t demanded = total - std::exchange(charged_, total);
-    const Moment passed = now - std::exchange(checkedAt_, now);
+    const Time passed = now - std::exchange(checkedAt_, now);
     const bool isSlow = passed > kSlowUpdate && demanded >= kSlowWork;
-    slowTime_ = isSlow ? slowTime_ + std::min(passed, kMaxSlowUpdate) : Moment{};
+    slowTime_ = isSlow ? slowTime_ + std::min(passed, kMaxSlowUpdate) : Time{};
     if (!budget_.take(static_cast<double>(demanded), now))
       return SessionEnding{"protocol error: the server demands more computation than a game needs", true};
     if (slowTime_ > kTime) return SessionEnding{"this computer is too slow for the game of this server", true};
@@ -54,13 +54,13 @@ class WorkLimit {
 
  private:
   // One longer pause, such as that of a suspended computer, counts as this.
-  static constexpr Moment kMaxSlowUpdate = std::chrono::seconds(1);
+  static constexpr Time kMaxSlowUpdate = std::chrono::seconds(1);
 
   TokenBucket budget_;
   std::uint64_t work_ = 0;
   std::uint64_t charged_ = 0;  // at the last check
-  Moment checkedAt_;
-  Moment slowTime_{};  // of updates that came late one after the other
+  Time checkedAt_;
+  Time slowTime_{};  // of updates that came late one after the other
 };
 
 }  // namespace platon

@@ -2,16 +2,16 @@
 
 namespace platon {
 
-Moment PausableClock::now() const {
+Time PausableClock::now() const {
   const std::lock_guard lock(mutex_);
   return current();
 }
 
-Moment PausableClock::current() const {
+Time PausableClock::current() const {
   if (paused_) return own0_;
-  const Moment passed = source_() - source0_;
+  const Time passed = source_() - source0_;
   if (speed_ == 1) return own0_ + passed;
-  return own0_ + Moment(static_cast<Moment::rep>(static_cast<double>(passed.count()) * speed_));
+  return own0_ + Time(static_cast<Time::rep>(static_cast<double>(passed.count()) * speed_));
 }
 
 void PausableClock::setPaused(bool paused) {

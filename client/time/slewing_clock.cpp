@@ -5,10 +5,10 @@
 
 namespace platon {
 
-SlewingClock::SlewingClock(double tick, Moment now, double maxSlew, double jumpTicks)
+SlewingClock::SlewingClock(double tick, Time now, double maxSlew, double jumpTicks)
     : now_(now), tick_(tick), lead_(tick - toTicks(now)), target_(lead_), maxSlew_(maxSlew), jumpTicks_(jumpTicks) {}
 
-bool SlewingClock::update(Moment now, bool atOnce) {
+bool SlewingClock::update(Time now, bool atOnce) {
   const double maxChange = maxSlew_ * toTicks(now - now_);
   const double missing = target_ - lead_;
   const bool jumps = atOnce || std::abs(missing) > jumpTicks_;

@@ -16,13 +16,13 @@ ClientGate::ClientGate(std::unique_ptr<DatagramSocket> socket, std::vector<Socke
       ephemeral_(ephemeral),
       request_(encode(Knock{static_cast<std::uint16_t>(kProtocolVersion), ephemeral.publicKey})) {}
 
-void ClientGate::update(Moment now) {
+void ClientGate::update(Time now) {
   if (state_ != State::kHandshake || (sentAt_ && now - *sentAt_ < kRepeatInterval)) return;
   sentAt_ = now;
   for (const SocketAddress& server : servers_) socket_.send(server, request_, now);
 }
 
-std::optional<Bytes> ClientGate::receive(Moment now) {
+std::optional<Bytes> ClientGate::receive(Time now) {
   for (; left_ > 0; --left_) {
     const std::optional<Datagram> datagram = socket_.receive(now);
     if (!datagram) return std::nullopt;
@@ -37,19 +37,19 @@ bool ClientGate::isServer(const SocketAddress& address) const {
   return std::find(servers_.begin(), servers_.end(), address) != servers_.end();
 }
 
-std::optional<Bytes> ClientGate::take(const Datagram& datagram, Moment now) {
+std::optional<Bytes> ClientGate::take(const Datagram& datagram, Time now) {
   if (SealedChannel::isSealed(datagram.bytes)) return takeSealed(datagram.bytes, now);
   if (state_ == State::kHandshake) takeHandshake(datagram, now);
   return std::nullopt;
 }
 
-void ClientGate::takeHandshake(const Datagram& datagram, Moment now) {
+void ClientGate::takeHandshake(const Datagram& datagram, Time now) {
   if (const auto reply = decodeCookieReply(datagram.bytes)) return takeCookie(datagram.peer, *reply, now);
   if (const auto accept = decodeAccept(datagram.bytes)) return takeAccept(*accept);
   if (const auto refusal = decodeRefusal(datagram.bytes)) return takeRefusal(*refusal);
 }
 
-void ClientGate::takeCookie(const SocketAddress& server, const CookieReply& reply, Moment now) {
+void ClientGate::takeCookie(const SocketAddress& server, const CookieReply& reply, Time now) {
   if (exchange_ || reply.echo != echoOf(ephemeral_.publicKey)) return;
   const std::optional<CryptoKey> serverKey = exchangeKeyOf(reply.identity);
   if (!serverKey) return;
@@ -93,7 +93,7 @@ void ClientGate::takeRefusal(const Refusal& refusal) {
   state_ = State::kRefused;
 }
 
-std::optional<Bytes> ClientGate::takeSealed(ByteSpan datagram, Moment now) {
+std::optional<Bytes> ClientGate::takeSealed(ByteSpan datagram, Time now) {
   if (!channel_) return std::nullopt;
   std::optional<SealedChannel::Content> content = channel_->open(datagram);
   if (!content || content->bytes.empty()) return std::nullopt;
@@ -105,12 +105,12 @@ std::optional<Bytes> ClientGate::takeSealed(ByteSpan datagram, Moment now) {
   return std::nullopt;
 }
 
-void ClientGate::send(ByteSpan content, Moment now) {
+void ClientGate::send(ByteSpan content, Time now) {
   if (!channel_ || content.size() + SealedChannel::kOverhead > kMaxDatagramBytes) return;
   socket_.send(servers_.front(), channel_->seal(content), now);
 }
 
-void ClientGate::sendControl(ByteSpan content, Moment now) {
+void ClientGate::sendControl(ByteSpan content, Time now) {
   if (channel_) socket_.send(servers_.front(), channel_->seal(content, true), now);
 }
 

@@ -23,7 +23,7 @@ struct ServerKnowledge {
 class ClientGate {
  public:
   /// Pause between two repetitions of an unanswered handshake datagram.
-  static constexpr Moment kRepeatInterval = std::chrono::milliseconds(250);
+  static constexpr Time kRepeatInterval = std::chrono::milliseconds(250);
 
   enum class State {
     kHandshake,
@@ -39,18 +39,18 @@ class ClientGate {
              const KeyPair& ephemeral);
 
   /// Sends what the handshake needs. Call it regularly.
-  void update(Moment now);
+  void update(Time now);
   /// Datagrams that one round of `receive` takes, so that a flood does not keep the client from its work.
   static constexpr std::size_t kMaxDatagramsPerRound = 1024;
   /// Begins a round of `receive`.
   void beginRound() { left_ = kMaxDatagramsPerRound; }
   /// The next content from the server; nothing when no datagram waits, or the round has taken all that it may.
-  std::optional<Bytes> receive(Moment now);
+  std::optional<Bytes> receive(Time now);
   /// Seals and queues; no effect unless open.
-  void send(ByteSpan content, Moment now);
+  void send(ByteSpan content, Time now);
   /// The same for the transport itself.
-  void sendControl(ByteSpan content, Moment now);
-  void flush(Moment now) { socket_.flush(now); }
+  void sendControl(ByteSpan content, Time now);
+  void flush(Time now) { socket_.flush(now); }
 
   State state() const { return state_; }
   const std::optional<Refusal>& refusal() const { return refusal_; }
@@ -62,12 +62,12 @@ class ClientGate {
   const Traffic& traffic() const { return socket_.traffic(); }
 
  private:
-  std::optional<Bytes> take(const Datagram& datagram, Moment now);
-  void takeHandshake(const Datagram& datagram, Moment now);
-  void takeCookie(const SocketAddress& server, const CookieReply& reply, Moment now);
+  std::optional<Bytes> take(const Datagram& datagram, Time now);
+  void takeHandshake(const Datagram& datagram, Time now);
+  void takeCookie(const SocketAddress& server, const CookieReply& reply, Time now);
   void takeAccept(const Accept& accept);
   void takeRefusal(const Refusal& refusal);
-  std::optional<Bytes> takeSealed(ByteSpan datagram, Moment now);
+  std::optional<Bytes> takeSealed(ByteSpan datagram, Time now);
   bool isServer(const SocketAddress& address) const;
 
   CountedSocket socket_;
@@ -76,7 +76,7 @@ class ClientGate {
   KeyPair ephemeral_;
   State state_ = State::kHandshake;
   Bytes request_;  // repeated until it is answered
-  std::optional<Moment> sentAt_;
+  std::optional<Time> sentAt_;
   std::optional<NoiseExchange> exchange_;  // once the cookie has come
   std::optional<CryptoKey> identity_;
   std::optional<Refusal> refusal_;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/transport/noise.h"
 #include "protocol/transport/socket_address.h"
 
@@ -31,10 +31,10 @@ class DatagramSocket {
   DatagramSocket& operator=(const DatagramSocket&) = delete;
 
   /// The next datagram; nothing if none waits. Its bytes are valid until the next call.
-  virtual std::optional<Datagram> receive(Moment now) = 0;
+  virtual std::optional<Datagram> receive(Time now) = 0;
   /// Queues a datagram for `flush`, or sends it at once.
-  virtual void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) = 0;
-  virtual void flush(Moment now) = 0;
+  virtual void send(const SocketAddress& receiver, ByteSpan bytes, Time now) = 0;
+  virtual void flush(Time now) = 0;
 
   /// Waits until a datagram arrives, a signal is caught, or `timeout` has passed.
   virtual void wait(std::chrono::milliseconds timeout) = 0;
@@ -77,16 +77,16 @@ class CountedSocket {
  public:
   explicit CountedSocket(std::unique_ptr<DatagramSocket> socket) : socket_(std::move(socket)) {}
 
-  std::optional<Datagram> receive(Moment now) {
+  std::optional<Datagram> receive(Time now) {
     std::optional<Datagram> datagram = socket_->receive(now);
     if (datagram) traffic_.addReceived(datagram->bytes.size());
     return datagram;
   }
-  void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) {
+  void send(const SocketAddress& receiver, ByteSpan bytes, Time now) {
     traffic_.addSent(bytes.size());
     socket_->send(receiver, bytes, now);
   }
-  void flush(Moment now) { socket_->flush(now); }
+  void flush(Time now) { socket_->flush(now); }
 
   DatagramSocket& socket() const { return *socket_; }
   const Traffic& traffic() const { return traffic_; }

@@ -33,7 +33,7 @@ class Probe : public EnetPort {
 
 }  // namespace
 
-EnetScope::EnetScope(EnetPort& port, Moment now) : outer_(currentPort), outerTime_(currentTime) {
+EnetScope::EnetScope(EnetPort& port, Time now) : outer_(currentPort), outerTime_(currentTime) {
   currentPort = &port;
   currentTime = static_cast<enet_uint32>(now / std::chrono::milliseconds(1));
 }
@@ -45,7 +45,7 @@ EnetScope::~EnetScope() {
 
 bool enetUsesOurCalls() {
   Probe probe;
-  constexpr Moment kTime = std::chrono::milliseconds(12345);
+  constexpr Time kTime = std::chrono::milliseconds(12345);
   const EnetScope scope(probe, kTime);
   ENetHost* const host = enet_host_create(nullptr, 1, 1, 0, 0);
   if (host == nullptr) return true;  // there is no socket; the cause is found when a connection is made

@@ -11,7 +11,7 @@
 #include <enet/time.h>
 
 #include "protocol/limits.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/noise.h"
 #include "protocol/transport/sealed_channel.h"
@@ -41,7 +41,7 @@ class EnetPort {
 /// dynamic linker, which takes the definitions beside this class instead of those of the library.
 class EnetScope {
  public:
-  EnetScope(EnetPort& port, Moment now);
+  EnetScope(EnetPort& port, Time now);
   ~EnetScope();
   EnetScope(const EnetScope&) = delete;
   EnetScope& operator=(const EnetScope&) = delete;

@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-std::uint64_t epochAt(Moment now) { return static_cast<std::uint64_t>(now / CookieJar::kEpoch); }
+std::uint64_t epochAt(Time now) { return static_cast<std::uint64_t>(now / CookieJar::kEpoch); }
 
 template <class Number>
 void mix(crypto_generichash_state& state, Number value) {
@@ -35,12 +35,11 @@ Cookie CookieJar::makeFor(std::uint64_t epoch, const SocketAddress& client, cons
   return cookie;
 }
 
-Cookie CookieJar::make(const SocketAddress& client, const CryptoKey& clientKey, Moment now) const {
+Cookie CookieJar::make(const SocketAddress& client, const CryptoKey& clientKey, Time now) const {
   return makeFor(epochAt(now), client, clientKey);
 }
 
-bool CookieJar::isValid(const Cookie& cookie, const SocketAddress& client, const CryptoKey& clientKey,
-                        Moment now) const {
+bool CookieJar::isValid(const Cookie& cookie, const SocketAddress& client, const CryptoKey& clientKey, Time now) const {
   std::uint64_t epoch = epochAt(now);
   if (cookie[0] != static_cast<std::uint8_t>(epoch)) --epoch;
   const Cookie expected = makeFor(epoch, client, clientKey);
@@ -70,7 +69,7 @@ CryptoKey randomKey() {
 }  // namespace
 
 ServerAdmission::ServerAdmission(const ServerIdentity& identity, const GateSettings& settings, const GateRules& rules,
-                                 CountedSocket& socket, ServerSessions& sessions, Rejections& rejections, Moment now)
+                                 CountedSocket& socket, ServerSessions& sessions, Rejections& rejections, Time now)
     : identity_(identity),
       presharedKey_(settings.presharedKey),
       needsPassword_(settings.needsPassword),
@@ -85,7 +84,7 @@ ServerAdmission::ServerAdmission(const ServerIdentity& identity, const GateSetti
       households_(kHouseholdPerSecond, kHouseholdBurst, randomKey(), now),
       sites_(kSitePerSecond, kSiteBurst, randomKey(), now) {}
 
-void ServerAdmission::receive(const Datagram& datagram, Moment now) {
+void ServerAdmission::receive(const Datagram& datagram, Time now) {
   const std::optional<HandshakeHead> head = readHead(datagram.bytes);
   if (head && head->kind == HandshakeKind::kKnock) return answerKnock(datagram, now);
   if (head && head->kind == HandshakeKind::kOpen) return answerOpen(datagram, now);
@@ -93,7 +92,7 @@ void ServerAdmission::receive(const Datagram& datagram, Moment now) {
   ++rejections_.malformed;
 }
 
-void ServerAdmission::answerKnock(const Datagram& datagram, Moment now) {
+void ServerAdmission::answerKnock(const Datagram& datagram, Time now) {
   const std::optional<Knock> knock = decodeKnock(datagram.bytes);
   if (!knock) {
     ++rejections_.malformed;
@@ -108,7 +107,7 @@ void ServerAdmission::answerKnock(const Datagram& datagram, Moment now) {
   socket_.send(datagram.peer, encode(reply), now);
 }
 
-void ServerAdmission::answerQuery(const Datagram& datagram, Moment now) {
+void ServerAdmission::answerQuery(const Datagram& datagram, Time now) {
   const std::optional<Query> query = decodeQuery(datagram.bytes);
   if (!query || !queries_.take(1, now)) {
     ++(query ? rejections_.queries : rejections_.malformed);
@@ -122,7 +121,7 @@ void ServerAdmission::answerQuery(const Datagram& datagram, Moment now) {
   socket_.send(datagram.peer, encode(info), now);
 }
 
-void ServerAdmission::answerOpen(const Datagram& datagram, Moment now) {
+void ServerAdmission::answerOpen(const Datagram& datagram, Time now) {
   const std::optional<Open> open = decodeOpen(datagram.bytes);
   if (!open) {
     ++rejections_.malformed;
@@ -148,7 +147,7 @@ void ServerAdmission::answerOpen(const Datagram& datagram, Moment now) {
 }
 
 // All that is cheaper than the key exchange. The address is proved: it may be told why, and charged.
-bool ServerAdmission::mayExchange(const Datagram& datagram, const Open& open, Moment now) {
+bool ServerAdmission::mayExchange(const Datagram& datagram, const Open& open, Time now) {
   const CryptoKey clientKey = open.clientKey();
   if (usedKeys_.contains(clientKey, now)) {
     ++rejections_.cookie;
@@ -177,7 +176,7 @@ bool ServerAdmission::mayExchange(const Datagram& datagram, const Open& open, Mo
 // share. What its household or its site refuses takes nothing: beyond the budget of their site, its households would
 // drain the buckets of all others; beyond its own, a household would drain that of its site. What only the budget of
 // the server refuses is charged to both.
-bool ServerAdmission::takeBudget(const IpAddress& client, Moment now) {
+bool ServerAdmission::takeBudget(const IpAddress& client, Time now) {
   if (client.isLoopback()) return handshakes_.take(1, now);
   if (!households_.holds(client.household(), now) || !sites_.holds(client.site(), now)) return false;
   households_.take(client.household(), now);
@@ -200,7 +199,7 @@ std::optional<ServerSessions::Agreement> ServerAdmission::exchange(const Open& o
 }
 
 void ServerAdmission::refuse(const Datagram& datagram, const CryptoKey& clientKey, RefusalReason reason,
-                             const std::string& text, Moment now) {
+                             const std::string& text, Time now) {
   socket_.send(datagram.peer, encode(Refusal{kVersion, echoOf(clientKey), reason, text}), now);
 }
 

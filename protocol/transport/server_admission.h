@@ -12,7 +12,7 @@
 
 #include <sodium.h>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/token_bucket.h"
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/handshake.h"
@@ -33,8 +33,8 @@ class CookieJar {
   /// `secret`: random, known to this server only.
   explicit CookieJar(const CryptoKey& secret) : secret_(secret) {}
 
-  Cookie make(const SocketAddress& client, const CryptoKey& clientKey, Moment now) const;
-  bool isValid(const Cookie& cookie, const SocketAddress& client, const CryptoKey& clientKey, Moment now) const;
+  Cookie make(const SocketAddress& client, const CryptoKey& clientKey, Time now) const;
+  bool isValid(const Cookie& cookie, const SocketAddress& client, const CryptoKey& clientKey, Time now) const;
 
  private:
   Cookie makeFor(std::uint64_t epoch, const SocketAddress& client, const CryptoKey& clientKey) const;
@@ -46,14 +46,14 @@ class CookieJar {
 /// cookie is valid. The epochs are those of CookieJar. The caller limits how many keys are added in a second.
 class RecentKeys {
  public:
-  explicit RecentKeys(Moment epoch) : epoch_(epoch) {}
+  explicit RecentKeys(Time epoch) : epoch_(epoch) {}
 
-  bool contains(const CryptoKey& key, Moment now) {
+  bool contains(const CryptoKey& key, Time now) {
     forget(now);
     return present_.contains(printOf(key)) || former_.contains(printOf(key));
   }
 
-  void add(const CryptoKey& key, Moment now) {
+  void add(const CryptoKey& key, Time now) {
     forget(now);
     present_.insert(printOf(key));
   }
@@ -68,7 +68,7 @@ class RecentKeys {
     return print;
   }
 
-  void forget(Moment now) {
+  void forget(Time now) {
     const std::int64_t number = now / epoch_;
     if (number == number_) return;
     former_ = number == number_ + 1 ? std::move(present_) : Prints();
@@ -76,7 +76,7 @@ class RecentKeys {
     number_ = number;
   }
 
-  Moment epoch_;
+  Time epoch_;
   std::int64_t number_ = 0;  // of the present epoch
   Prints present_;
   Prints former_;
@@ -89,18 +89,18 @@ class NetworkBudgets {
   static constexpr std::size_t kBuckets = 1024;
 
   /// Every budget starts full. Who does not know the key cannot tell which networks share a bucket.
-  NetworkBudgets(double perSecond, double limit, const CryptoKey& key, Moment now)
+  NetworkBudgets(double perSecond, double limit, const CryptoKey& key, Time now)
       : buckets_(kBuckets, TokenBucket(perSecond, limit, now)), key_(key) {}
 
   /// Takes 1 from both buckets of the network. False if neither holds it.
-  bool take(std::uint64_t network, Moment now) {
+  bool take(std::uint64_t network, Time now) {
     const auto [first, second] = bucketsOf(network);
     const bool isWithin = first->take(1, now);
     return (second != first && second->take(1, now)) || isWithin;
   }
 
   /// Whether `take` would succeed.
-  bool holds(std::uint64_t network, Moment now) {
+  bool holds(std::uint64_t network, Time now) {
     const auto [first, second] = bucketsOf(network);
     return TokenBucket(*first).take(1, now) || TokenBucket(*second).take(1, now);
   }
@@ -132,22 +132,22 @@ class ServerAdmission {
  public:
   /// The references must outlive this.
   ServerAdmission(const ServerIdentity& identity, const GateSettings& settings, const GateRules& rules,
-                  CountedSocket& socket, ServerSessions& sessions, Rejections& rejections, Moment now);
+                  CountedSocket& socket, ServerSessions& sessions, Rejections& rejections, Time now);
 
   /// Handles a datagram that is not sealed.
-  void receive(const Datagram& datagram, Moment now);
+  void receive(const Datagram& datagram, Time now);
   /// What queries are told. `version`, `nonce`, `identity` and `needsPassword` are filled in.
   void setInfo(Info info) { info_ = std::move(info); }
 
  private:
-  void answerKnock(const Datagram& datagram, Moment now);
-  void answerQuery(const Datagram& datagram, Moment now);
-  void answerOpen(const Datagram& datagram, Moment now);
-  bool mayExchange(const Datagram& datagram, const Open& open, Moment now);
-  bool takeBudget(const IpAddress& client, Moment now);
+  void answerKnock(const Datagram& datagram, Time now);
+  void answerQuery(const Datagram& datagram, Time now);
+  void answerOpen(const Datagram& datagram, Time now);
+  bool mayExchange(const Datagram& datagram, const Open& open, Time now);
+  bool takeBudget(const IpAddress& client, Time now);
   std::optional<ServerSessions::Agreement> exchange(const Open& open, std::uint16_t slot) const;
   void refuse(const Datagram& datagram, const CryptoKey& clientKey, RefusalReason reason, const std::string& text,
-              Moment now);
+              Time now);
 
   ServerIdentity identity_;
   CryptoKey presharedKey_;

@@ -14,13 +14,13 @@ bool canAnswer(const SocketAddress& address) {
 }  // namespace
 
 ServerGate::ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity,
-                       const GateSettings& settings, Moment now, GateRules rules)
+                       const GateSettings& settings, Time now, GateRules rules)
     : socket_(std::move(socket)),
       rules_(std::move(rules)),
       sessions_(settings, rules_, socket_, rejections_),
       admission_(identity, settings, rules_, socket_, sessions_, rejections_, now) {}
 
-std::optional<ServerGate::Received> ServerGate::receive(Moment now) {
+std::optional<ServerGate::Received> ServerGate::receive(Time now) {
   for (; left_ > 0; --left_) {
     const std::optional<Datagram> datagram = socket_.receive(now);
     if (!datagram) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<ServerGate::Received> ServerGate::receive(Moment now) {
   return std::nullopt;
 }
 
-std::optional<ServerGate::Received> ServerGate::take(const Datagram& datagram, Moment now) {
+std::optional<ServerGate::Received> ServerGate::take(const Datagram& datagram, Time now) {
   const std::size_t size = datagram.bytes.size();
   if (!canAnswer(datagram.peer) || size == 0 || size > kMaxDatagramBytes) {
     ++rejections_.malformed;

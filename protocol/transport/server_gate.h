@@ -17,7 +17,7 @@ namespace platon {
 class ServerGate {
  public:
   ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const GateSettings& settings,
-             Moment now, GateRules rules = {});
+             Time now, GateRules rules = {});
   ServerGate(const ServerGate&) = delete;
   ServerGate& operator=(const ServerGate&) = delete;
 
@@ -29,15 +29,15 @@ class ServerGate {
   void beginRound() { left_ = kMaxDatagramsPerRound; }
   /// The next content from a session. Answers all other datagrams on the way; nothing when no datagram waits, or the
   /// round has taken all that it may.
-  std::optional<Received> receive(Moment now);
+  std::optional<Received> receive(Time now);
   /// Seals and queues content for a session (ServerSessions::send).
-  void send(SessionId session, ByteSpan content, Moment now) { sessions_.send(session, content, now); }
-  void flush(Moment now) { socket_.flush(now); }
+  void send(SessionId session, ByteSpan content, Time now) { sessions_.send(session, content, now); }
+  void flush(Time now) { socket_.flush(now); }
 
   /// Call when the session serves a connection: from then on only `close` ends it.
   void confirm(SessionId session) { sessions_.confirm(session); }
   /// Ends sessions that were not confirmed in time. Call it regularly.
-  void expire(Moment now) { sessions_.expire(now); }
+  void expire(Time now) { sessions_.expire(now); }
   /// Ends a session. Its datagrams are dropped from now on.
   void close(SessionId session) { sessions_.close(session); }
   bool isOpen(SessionId session) const { return sessions_.isOpen(session); }
@@ -54,7 +54,7 @@ class ServerGate {
   const Rejections& rejections() const { return rejections_; }
 
  private:
-  std::optional<Received> take(const Datagram& datagram, Moment now);
+  std::optional<Received> take(const Datagram& datagram, Time now);
 
   CountedSocket socket_;
   GateRules rules_;

@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-constexpr Moment kChallengeInterval = std::chrono::milliseconds(100);
+constexpr Time kChallengeInterval = std::chrono::milliseconds(100);
 constexpr std::uint32_t kMaxSessions = 4095;  // ENet's limit
 
 // Sessions of a site, in those of a household.
@@ -58,7 +58,7 @@ bool ServerSessions::hasRoomFor(const IpAddress& client, const Session* moving) 
          countOf([&](const IpAddress& other) { return other.site() == client.site(); }) < kHouseholdsPerSite * most;
 }
 
-void ServerSessions::begin(std::uint16_t slot, const SocketAddress& client, const Agreement& agreement, Moment now) {
+void ServerSessions::begin(std::uint16_t slot, const SocketAddress& client, const Agreement& agreement, Time now) {
   Session& session = sessions_[slot];
   session = Session{};
   session.id = {nextNumber_, slot};
@@ -72,7 +72,7 @@ void ServerSessions::begin(std::uint16_t slot, const SocketAddress& client, cons
   socket_.send(client, session.accept, now);
 }
 
-bool ServerSessions::repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Moment now) {
+bool ServerSessions::repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Time now) {
   const auto found = std::find_if(sessions_.begin(), sessions_.end(), [&](const Session& session) {
     return session.id.number != 0 && session.clientKey == clientKey;
   });
@@ -81,7 +81,7 @@ bool ServerSessions::repeatAccept(const SocketAddress& client, const CryptoKey& 
   return true;
 }
 
-std::optional<ServerSessions::Received> ServerSessions::receive(const Datagram& datagram, Moment now) {
+std::optional<ServerSessions::Received> ServerSessions::receive(const Datagram& datagram, Time now) {
   const std::optional<std::uint16_t> slot = SealedChannel::slotOf(datagram.bytes);
   Session* const session = slot && *slot < sessions_.size() ? &sessions_[*slot] : nullptr;
   std::optional<SealedChannel::Content> content;
@@ -104,13 +104,13 @@ std::optional<ServerSessions::Received> ServerSessions::receive(const Datagram& 
 // wire has overtaken its datagram: then it still receives at the old address, and shows that. A household that is full
 // gets no challenge: its limit would be worth nothing if sessions could begin elsewhere. A client that does not move is
 // asked at times, too: it may have left, and forge its sender to have the server send there.
-void ServerSessions::checkPath(Session& session, const Datagram& datagram, Moment now) {
+void ServerSessions::checkPath(Session& session, const Datagram& datagram, Time now) {
   const SocketAddress& sender = datagram.peer;
   const bool strays = sender != session.address;
   if (!strays) session.path.reset();
   if (strays && !session.path) session.path = Path{{}, {}, now};
   if (datagram.bytes.size() < kPathChallengeBytes) return;  // the challenge must not be longer
-  const Moment askTime = strays ? Moment(kUnconfirmedPathTime / 2) : Moment(kAskTime);
+  const Time askTime = strays ? Time(kUnconfirmedPathTime / 2) : Time(kAskTime);
   const bool isOldDue = now >= servedUntil(session) - askTime && now - session.askedAt >= kChallengeInterval;
   const bool mayMove = strays && !isBanned(sender.ip) && hasRoomFor(sender.ip, &session);
   const bool isNewDue = mayMove && (!session.challengedAt || now - *session.challengedAt >= kChallengeInterval);
@@ -128,14 +128,14 @@ void ServerSessions::checkPath(Session& session, const Datagram& datagram, Momen
 }
 
 // Until when content is sent to the address of the session.
-Moment ServerSessions::servedUntil(const Session& session) {
-  const Moment shown = session.receivedAt + kShownAddressTime;
+Time ServerSessions::servedUntil(const Session& session) {
+  const Time shown = session.receivedAt + kShownAddressTime;
   if (!session.path) return shown;
   return std::min(shown, std::max(session.receivedAt, session.path->since) + kUnconfirmedPathTime);
 }
 
 void ServerSessions::challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge,
-                               Moment now) {
+                               Time now) {
   Bytes content{kPathChallenge};
   content.insert(content.end(), challenge.begin(), challenge.end());
   socket_.send(receiver, session.channel->seal(content, true), now);
@@ -143,7 +143,7 @@ void ServerSessions::challenge(Session& session, const SocketAddress& receiver, 
 
 // The answer to ownChallenge may come from anywhere: whoever sends it has received at the old address. A client that
 // may not move is asked again when the next challenge is due, and is in doubt at its old address as before.
-void ServerSessions::takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now) {
+void ServerSessions::takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Time now) {
   if (content[0] != kPathResponse) return;
   if (session.ownChallenge && isAnswer(content, *session.ownChallenge)) {
     session.ownChallenge.reset();
@@ -165,7 +165,7 @@ void ServerSessions::takeControl(Session& session, const SocketAddress& sender, 
   session.ownChallenge.reset();
 }
 
-void ServerSessions::send(SessionId id, ByteSpan content, Moment now) {
+void ServerSessions::send(SessionId id, ByteSpan content, Time now) {
   if (find(id) == nullptr || content.size() + SealedChannel::kOverhead > kMaxDatagramBytes) return;
   Session& session = sessions_[id.slot];
   if (now >= servedUntil(session)) return;
@@ -176,7 +176,7 @@ void ServerSessions::confirm(SessionId id) {
   if (find(id) != nullptr) sessions_[id.slot].confirmed = true;
 }
 
-void ServerSessions::expire(Moment now) {
+void ServerSessions::expire(Time now) {
   for (Session& session : sessions_) {
     if (session.id.number == 0 || session.confirmed || now - session.since < kConfirmTime) continue;
     ++rejections_.unconfirmed;

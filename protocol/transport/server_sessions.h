@@ -114,22 +114,22 @@ class ServerSessions {
   ServerSessions(const GateSettings& settings, const GateRules& rules, CountedSocket& socket, Rejections& rejections);
 
   /// The content of a sealed datagram; nothing if it was for the transport, or rejected.
-  std::optional<Received> receive(const Datagram& datagram, Moment now);
+  std::optional<Received> receive(const Datagram& datagram, Time now);
   /// Seals and queues; no effect if the session has ended, the content is too long, or nobody knows where the client
   /// receives: see kUnconfirmedPathTime and kShownAddressTime.
-  void send(SessionId session, ByteSpan content, Moment now);
+  void send(SessionId session, ByteSpan content, Time now);
 
   /// Whether one more session may be at this address.
   bool hasRoomFor(const IpAddress& client) const { return hasRoomFor(client, nullptr); }
   /// A free slot; if there is none, that of the session that has waited longest to be confirmed.
   std::optional<std::uint16_t> freeSlot() const;
   /// Begins a session in a slot from `freeSlot`, and sends its answer.
-  void begin(std::uint16_t slot, const SocketAddress& client, const Agreement& agreement, Moment now);
+  void begin(std::uint16_t slot, const SocketAddress& client, const Agreement& agreement, Time now);
   /// Whether a session was begun with this key. Sends the answer again if the client may not have it.
-  bool repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Moment now);
+  bool repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Time now);
 
   void confirm(SessionId session);
-  void expire(Moment now);
+  void expire(Time now);
   void close(SessionId session);
   bool isOpen(SessionId session) const { return find(session) != nullptr; }
   /// Address of an open session; `IpAddress{}` if it has ended.
@@ -139,27 +139,27 @@ class ServerSessions {
   struct Path {
     SocketAddress address;
     PathChallenge challenge{};
-    Moment since{};
+    Time since{};
   };
   struct Session {
     SessionId id;  // number 0: free
     SocketAddress address;
-    Moment receivedAt{};                        // when the client has last shown that it receives there
+    Time receivedAt{};                          // when the client has last shown that it receives there
     std::optional<PathChallenge> ownChallenge;  // that it was sent there and has not answered
-    Moment askedAt{};                           // when it was last sent that
+    Time askedAt{};                             // when it was last sent that
     std::optional<SealedChannel> channel;
     CryptoKey clientKey{};
-    Bytes accept;                        // repeated when the client repeats its Open; empty once the client has it
-    std::optional<Path> path;            // another address from which the client sends, until it has answered there
-    std::optional<Moment> challengedAt;  // when it was last sent a challenge at another address
+    Bytes accept;                      // repeated when the client repeats its Open; empty once the client has it
+    std::optional<Path> path;          // another address from which the client sends, until it has answered there
+    std::optional<Time> challengedAt;  // when it was last sent a challenge at another address
     bool confirmed = false;
-    Moment since{};
+    Time since{};
   };
 
-  void takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Moment now);
-  void checkPath(Session& session, const Datagram& datagram, Moment now);
-  static Moment servedUntil(const Session& session);
-  void challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge, Moment now);
+  void takeControl(Session& session, const SocketAddress& sender, ByteSpan content, Time now);
+  void checkPath(Session& session, const Datagram& datagram, Time now);
+  static Time servedUntil(const Session& session);
+  void challenge(Session& session, const SocketAddress& receiver, const PathChallenge& challenge, Time now);
   bool isBanned(const IpAddress& address) const { return rules_.ban && rules_.ban(address); }
   bool hasRoomFor(const IpAddress& client, const Session* moving) const;
   const Session* find(SessionId id) const;

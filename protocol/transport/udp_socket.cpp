@@ -126,7 +126,7 @@ bool UdpSocket::bindTo(const SocketAddress& own) const {
 }
 
 // One call of the system for many datagrams: after a call that was not filled, the socket is taken for empty once.
-std::optional<Datagram> UdpSocket::receive(Moment) {
+std::optional<Datagram> UdpSocket::receive(Time) {
   Batches& batches = *batches_;
   for (;;) {
     if (batches.taken == batches.arrived) {
@@ -140,7 +140,7 @@ std::optional<Datagram> UdpSocket::receive(Moment) {
   }
 }
 
-void UdpSocket::send(const SocketAddress& receiver, ByteSpan bytes, Moment now) {
+void UdpSocket::send(const SocketAddress& receiver, ByteSpan bytes, Time now) {
   if (bytes.empty() || bytes.size() > kMaxDatagramBytes || (!ipv6_ && !receiver.ip.isIpv4())) return;
   Batches& batches = *batches_;
   if (batches.waiting == kBatch) flush(now);
@@ -152,7 +152,7 @@ void UdpSocket::send(const SocketAddress& receiver, ByteSpan bytes, Moment now) 
 }
 
 // A datagram that the system does not take is lost, and the next ones are sent all the same.
-void UdpSocket::flush(Moment) {
+void UdpSocket::flush(Time) {
   Batches& batches = *batches_;
   for (std::size_t sent = 0; sent < batches.waiting;) {
     const auto left = static_cast<unsigned>(batches.waiting - sent);

@@ -29,9 +29,9 @@ class UdpSocket : public DatagramSocket {
   /// Lets `send` take addresses that all machines of a network receive.
   void allowBroadcast();
 
-  std::optional<Datagram> receive(Moment now) override;
-  void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override;
-  void flush(Moment now) override;
+  std::optional<Datagram> receive(Time now) override;
+  void send(const SocketAddress& receiver, ByteSpan bytes, Time now) override;
+  void flush(Time now) override;
   void wait(std::chrono::milliseconds timeout) override;
   SocketAddress address() const override;
 

@@ -8,7 +8,7 @@
 
 #include "platon/game/game.h"
 #include "protocol/chat.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/token_bucket.h"
 #include "protocol/transport/socket_address.h"
 #include "server/match/match_output.h"
@@ -31,8 +31,8 @@ class ChatBudget {
   bool take(std::uint64_t now) { return bucket_.take(1, momentOf(now)); }
 
  private:
-  explicit ChatBudget(double players) : bucket_(players * kChatsPerSecond, players * kChatBurst, Moment(0)) {}
-  static Moment momentOf(std::uint64_t tick) { return std::chrono::microseconds(tick * 1'000'000 / kTicksPerSecond); }
+  explicit ChatBudget(double players) : bucket_(players * kChatsPerSecond, players * kChatBurst, Time(0)) {}
+  static Time momentOf(std::uint64_t tick) { return std::chrono::microseconds(tick * 1'000'000 / kTicksPerSecond); }
 
   TokenBucket bucket_;
 };

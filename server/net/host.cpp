@@ -60,7 +60,7 @@ std::size_t roomOf(ENetPeer& peer) {
 
 }  // namespace
 
-Host::Connection::Connection(Moment now, SessionId own)
+Host::Connection::Connection(Time now, SessionId own)
     : session(own),
       since(now),
       receivedAt(now),
@@ -72,7 +72,7 @@ Host::Connection::Connection(Moment now, SessionId own)
 }
 
 Host::Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
-           Moment now, HostRules rules)
+           Time now, HostRules rules)
     : gate_(std::move(socket), identity, gateSettings(settings), now, gateRules(std::move(rules))),
       host_(createEnetHost(settings.connections, randombytes_random()), enet_host_destroy),
       connections_(settings.connections, Connection(now)),
@@ -158,7 +158,7 @@ bool Host::charge(Connection& connection, std::size_t bytes) {
   return within;
 }
 
-std::span<const HostEvent> Host::service(Moment now) {
+std::span<const HostEvent> Host::service(Time now) {
   now_ = now;
   gate_.beginRound();
   const EnetScope scope(*this, now);
@@ -319,7 +319,7 @@ std::uint32_t Host::roundTripMs(ClientId client) const {
   return index ? host_->peers[*index].roundTripTime : 0;
 }
 
-void Host::close(ClientId client, Moment now) {
+void Host::close(ClientId client, Time now) {
   const auto index = indexOf(client);
   if (!index) return;
   now_ = now;
@@ -331,7 +331,7 @@ void Host::close(ClientId client, Moment now) {
   enet_peer_disconnect_later(&host_->peers[*index], 0);
 }
 
-void Host::flush(Moment now) {
+void Host::flush(Time now) {
   now_ = now;
   const EnetScope scope(*this, now);
   enet_host_flush(host_.get());

@@ -57,13 +57,13 @@ class Host : private EnetPort {
   static constexpr std::chrono::seconds kMaxUnacknowledged{10};
 
   /// Throws SocketError if ENet cannot be used.
-  Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings, Moment now,
+  Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings, Time now,
        HostRules rules = {});
   ~Host() override;
 
   /// Receives what has arrived, ends connections that have timed out, and returns the events. They are valid until the
   /// next call.
-  std::span<const HostEvent> service(Moment now);
+  std::span<const HostEvent> service(Time now);
   /// Call when the client plays: from then on its connection ends only when it is closed or silent.
   void admit(ClientId client);
   /// Queues a message. No effect if the client is disconnected.
@@ -75,9 +75,9 @@ class Host : private EnetPort {
   std::uint32_t roundTripMs(ClientId client) const;
   /// Closes the connection once everything queued has arrived, or after kAnswerTime. Until then messages may still
   /// arrive; `isOpen` is false for them.
-  void close(ClientId client, Moment now);
+  void close(ClientId client, Time now);
   /// Sends the queued messages.
-  void flush(Moment now);
+  void flush(Time now);
 
   /// Sleeps until a datagram arrives, a signal is caught or `timeout` has passed.
   void wait(std::chrono::milliseconds timeout) { gate_.socket().wait(timeout); }
@@ -101,19 +101,19 @@ class Host : private EnetPort {
     std::uint8_t channel = 0;
     std::uint16_t sequence = 0;
     std::size_t bytes = 0;
-    Moment since;  // when it was first sent
+    Time since;  // when it was first sent
   };
 
   // State of one ENet peer.
   struct Connection {
-    explicit Connection(Moment now, SessionId own = {});
+    explicit Connection(Time now, SessionId own = {});
 
     std::optional<ClientId> client;  // once connected
     SessionId session;               // number 0: the peer is free
     bool admitted = false;
     bool closing = false;
-    Moment since;       // when it became open, connected or closing, whichever came last
-    Moment receivedAt;  // when the last datagram arrived
+    Time since;       // when it became open, connected or closing, whichever came last
+    Time receivedAt;  // when the last datagram arrived
     TokenBucket datagrams;
     TokenBucket bytes;
     TokenBucket resends;                   // bytes that may be sent again
@@ -148,7 +148,7 @@ class Host : private EnetPort {
   std::vector<HostEvent> events_;                      // of the last call of `service`
   std::vector<Packet> packets_;                        // with the messages of these
   ClientId nextClient_ = 1;
-  Moment now_;     // of the present call
+  Time now_;       // of the present call
   Bytes content_;  // the last one handed to ENet
 };
 

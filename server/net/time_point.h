@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -10,6 +10,6 @@ namespace platon {
 using TimePoint = std::chrono::steady_clock::time_point;
 
 /// The same time for `protocol`.
-inline Moment momentOf(TimePoint time) { return std::chrono::duration_cast<Moment>(time.time_since_epoch()); }
+inline Time momentOf(TimePoint time) { return std::chrono::duration_cast<Time>(time.time_since_epoch()); }
 
 }  // namespace platon

@@ -59,8 +59,8 @@ class Attacker {
 
   // What happens without a datagram of the attacker.
   void act() {
-    constexpr Moment kWaits[] = {milliseconds(1), milliseconds(100), milliseconds(500), std::chrono::seconds(3),
-                                 std::chrono::seconds(60)};
+    constexpr Time kWaits[] = {milliseconds(1), milliseconds(100), milliseconds(500), std::chrono::seconds(3),
+                               std::chrono::seconds(60)};
     switch (bytes_.below(8)) {
       case 0:
         return world_.restartClient(anyClient());

@@ -40,7 +40,7 @@ class HandshakeWorld {
   /// Public key of the server.
   static const CryptoKey& identity();
 
-  void wait(Moment duration) { now_ += duration; }
+  void wait(Time duration) { now_ += duration; }
   void updateClient(std::size_t client) { clients_[client].gate->update(now_); }
   /// Begins again with another key.
   void restartClient(std::size_t client);
@@ -88,8 +88,8 @@ class HandshakeWorld {
     SocketAddress address;
     bool confirmed = false;
     bool closed = false;
-    Moment shownAt{};                   // when it began, or moved
-    std::optional<Moment> strayedAt{};  // when a content first came from another address
+    Time shownAt{};                   // when it began, or moved
+    std::optional<Time> strayedAt{};  // when a content first came from another address
   };
   struct Content {
     CryptoKey clientKey{};
@@ -116,7 +116,7 @@ class HandshakeWorld {
 
   FixedRandom random_;
   Setup setup_;
-  Moment now_ = std::chrono::hours(1);
+  Time now_ = std::chrono::hours(1);
   DatagramNetwork network_;
   ServerIdentity identity_{kSecret};
   CryptoKey presharedKey_{};

@@ -222,7 +222,7 @@ CLIENT_FAULTS = [
               "a client that a stopping server has just accepted ends",
               "AnsweredClient.RetriesWhenWelcomeAndByeArriveInOneServiceCall"),
     at_length("notice-for-ever", "client/play/match/live_match.cpp",
-              "now() + kNoticeTime};", "Moment::max()};",
+              "now() + kNoticeTime};", "Time::max()};",
               "a text of the operator stays in the picture",
               "JoinedMatchTest.ATextOfTheConsoleIsInThePictureForEightSeconds"),
     at_length("last-difference-reported", DESYNC + "desync_detector.cpp",

@@ -92,7 +92,7 @@ TRANSPORT_FAULTS = [
               "a client is cut off because one of its datagrams came from elsewhere",
               "ServerGatePathsTest.ADatagramFromTheOldAddressEndsTheDoubt"),
     at_length("forged-sender-believed", TRANSPORT + "server_sessions.cpp",
-              "  const Moment shown = session.receivedAt + kShownAddressTime;\n", "  const Moment shown = Moment::max();\n",
+              "  const Time shown = session.receivedAt + kShownAddressTime;\n", "  const Time shown = Time::max();\n",
               "who has left an address and forges it has the server send there without end",
               "ServerGatePathsTest.NothingButChallengesGoesToAnAddressWhoseClientAnswersNoneForFifteenSeconds"),
     at_length("confirmed-session-expires", TRANSPORT + "server_sessions.cpp",

@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const Moment kStart{1h};
+const Time kStart{1h};
 
 TEST(TokenBucket, StartsFull) {
   TokenBucket bucket(10, 3, kStart);

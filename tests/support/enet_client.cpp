@@ -10,10 +10,10 @@ EnetClient::EnetClient(std::uint16_t port, std::optional<FakeClient> client)
 
 void EnetClient::step() {
   connection_.service(steadyClock().now(), [this](std::span<const std::uint8_t> message) {
-    if (client_) client_->receive({message.begin(), message.end()}, Moment());
+    if (client_) client_->receive({message.begin(), message.end()}, Time());
   });
   if (!client_ || !connected()) return;
-  client_->update(Moment());
+  client_->update(Time());
   for (const OutgoingMessage& message : client_->takeOutgoing()) sendRaw(message.bytes, message.reliable);
 }
 

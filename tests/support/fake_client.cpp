@@ -40,7 +40,7 @@ FakeClient::FakeClient(const FakeClient& disconnected, std::function<int(std::ui
   send(hello, true);
 }
 
-void FakeClient::update(Moment) {
+void FakeClient::update(Time) {
   if (!game_) return;
   PlayerInputs message{round_, sync_,      confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_),
                        {},     sequence_++};
@@ -50,7 +50,7 @@ void FakeClient::update(Moment) {
   send(message, false);
 }
 
-void FakeClient::receive(std::vector<std::uint8_t> bytes, Moment) {
+void FakeClient::receive(std::vector<std::uint8_t> bytes, Time) {
   const auto message = decodeToClient(bytes);
   ASSERT_TRUE(message);
   std::visit([this](const auto& body) { handle(body); }, *message);

@@ -27,9 +27,9 @@ class FakeClient : public VirtualClient {
   /// Resumes the player of `disconnected` and knows its levels.
   FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons);
 
-  void receive(std::vector<std::uint8_t> bytes, Moment now) override;
+  void receive(std::vector<std::uint8_t> bytes, Time now) override;
   /// Sends the inputs of this tick. Without a game it sends nothing.
-  void update(Moment now) override;
+  void update(Time now) override;
   std::vector<OutgoingMessage> takeOutgoing() override { return std::exchange(outgoing_, {}); }
 
   const std::optional<Welcome>& welcome() const { return welcome_; }

@@ -32,8 +32,8 @@ class LoopbackServer {
   /// Calls `update(now)` every 2 ms until `done()` returns true, for at most `timeout` of virtual time. Returns whether
   /// it is done.
   template <class Update, class Done>
-  bool runUntil(Moment timeout, Update update, Done done) {
-    const Moment end = now_ + timeout;
+  bool runUntil(Time timeout, Update update, Done done) {
+    const Time end = now_ + timeout;
     while (now_ < end) {
       update(now_);
       if (done()) return true;
@@ -44,8 +44,8 @@ class LoopbackServer {
 
   /// Calls `update(now)` every 2 ms for `duration` of virtual time while the server is suspended.
   template <class Update>
-  void suspend(Moment duration, Update update) {
-    for (const Moment end = now_ + duration; now_ < end; now_ += std::chrono::milliseconds(2)) update(now_);
+  void suspend(Time duration, Update update) {
+    for (const Time end = now_ + duration; now_ < end; now_ += std::chrono::milliseconds(2)) update(now_);
   }
 
  private:
@@ -59,9 +59,9 @@ class LoopbackServer {
   }
 
   DedicatedServer server_;
-  Moment now_ = steadyClock().now();
+  Time now_ = steadyClock().now();
   Clock clock_{[this] { return now_; },
-               [this](Moment until) {
+               [this](Time until) {
                  server_.step(TimePoint(now_));
                  now_ = until;
                }};

@@ -5,7 +5,7 @@
 namespace platon {
 namespace {
 
-constexpr Moment kStep = std::chrono::microseconds(500);
+constexpr Time kStep = std::chrono::microseconds(500);
 
 /// Unique per client.
 SessionToken tokenOf(std::size_t client) {
@@ -33,7 +33,7 @@ std::size_t SessionNetwork::join(const LinkQuality& quality, Controls controls,
   return clients_.size() - 1;
 }
 
-void SessionNetwork::disconnect(std::size_t index, std::optional<Moment> detectedAfter) {
+void SessionNetwork::disconnect(std::size_t index, std::optional<Time> detectedAfter) {
   Client& client = *clients_[index];
   client.session->connectionLost("connection lost");
   VirtualNetwork::disconnect(client.id, detectedAfter);
@@ -45,16 +45,16 @@ void SessionNetwork::resume(std::size_t index) {
   client.id = connect(client, client.quality);
 }
 
-void SessionNetwork::run(Moment duration) {
-  for (const Moment end = now() + duration; now() < end;) step(now() + kStep);
+void SessionNetwork::run(Time duration) {
+  for (const Time end = now() + duration; now() < end;) step(now() + kStep);
 }
 
-void SessionNetwork::Client::receive(std::vector<std::uint8_t> bytes, Moment now) {
+void SessionNetwork::Client::receive(std::vector<std::uint8_t> bytes, Time now) {
   tamper(bytes);
   session->receive(bytes, now);
 }
 
-void SessionNetwork::Client::update(Moment now) {
+void SessionNetwork::Client::update(Time now) {
   if (now < nextUpdate) return;
   nextUpdate = now + network.frame_;
   session->update(now, controls);

@@ -27,17 +27,17 @@ class SessionNetwork : public VirtualNetwork {
                    std::shared_ptr<ConfirmedObserver> observer = nullptr);
   /// The client's connection is lost, with all messages in flight. The server detects it after `detectedAfter`;
   /// nothing: never.
-  void disconnect(std::size_t client, std::optional<Moment> detectedAfter);
+  void disconnect(std::size_t client, std::optional<Time> detectedAfter);
   /// The client reconnects and continues with the memory of its last session.
   void resume(std::size_t client);
   /// Time between two updates of a client; default 4 ms.
-  void setFrame(Moment frame) { frame_ = frame; }
+  void setFrame(Time frame) { frame_ = frame; }
   /// From now on, `change` may modify every message that this client receives.
   void tamper(std::size_t client, Tampering change) { clients_[client]->tamper = std::move(change); }
   /// Whether the client's confirmed game is checked. Default: true.
   void setChecked(std::size_t client, bool checked) { clients_[client]->checked = checked; }
   /// Lets time pass.
-  void run(Moment duration);
+  void run(Time duration);
 
   const Session& session(std::size_t client) const { return *clients_[client]->session; }
   Session& session(std::size_t client) { return *clients_[client]->session; }
@@ -49,8 +49,8 @@ class SessionNetwork : public VirtualNetwork {
     Client(const SessionNetwork& owner, const LinkQuality& connection, Controls buttons)
         : network(owner), quality(connection), controls(std::move(buttons)) {}
 
-    void receive(std::vector<std::uint8_t> bytes, Moment now) override;
-    void update(Moment now) override;
+    void receive(std::vector<std::uint8_t> bytes, Time now) override;
+    void update(Time now) override;
     std::vector<OutgoingMessage> takeOutgoing() override { return session->takeOutgoing(); }
     void expectInLockstep() const;
 
@@ -59,13 +59,13 @@ class SessionNetwork : public VirtualNetwork {
     Controls controls;
     ClientId id = 0;  // of the current connection
     std::optional<Session> session;
-    Moment nextUpdate{};
+    Time nextUpdate{};
     Tampering tamper = [](std::vector<std::uint8_t>&) {};
     bool checked = true;
   };
 
   std::vector<std::unique_ptr<Client>> clients_;
-  Moment frame_ = std::chrono::milliseconds(4);
+  Time frame_ = std::chrono::milliseconds(4);
 };
 
 }  // namespace platon

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/session/dialogue.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -14,9 +14,9 @@ class VirtualClient {
   virtual ~VirtualClient() = default;
 
   /// A message from the server.
-  virtual void receive(std::vector<std::uint8_t> bytes, Moment now) = 0;
+  virtual void receive(std::vector<std::uint8_t> bytes, Time now) = 0;
   /// Called in every step of the network, before the messages to send are taken.
-  virtual void update(Moment now) = 0;
+  virtual void update(Time now) = 0;
   /// The messages to send now, in order.
   virtual std::vector<OutgoingMessage> takeOutgoing() = 0;
 };

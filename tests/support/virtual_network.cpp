@@ -21,11 +21,11 @@ LinkQuality withoutLoss(const LinkQuality& quality) {
 VirtualNetwork::Direction::Direction(const LinkQuality& quality, std::uint64_t seed)
     : unreliable_(quality, seed), reliable_(withoutLoss(quality), seed + 2) {}
 
-void VirtualNetwork::Direction::send(Bytes bytes, bool reliable, Moment now) {
+void VirtualNetwork::Direction::send(Bytes bytes, bool reliable, Time now) {
   (reliable ? reliable_ : unreliable_).send(std::move(bytes), now);
 }
 
-std::optional<VirtualNetwork::Bytes> VirtualNetwork::Direction::receive(Moment now) {
+std::optional<VirtualNetwork::Bytes> VirtualNetwork::Direction::receive(Time now) {
   if (auto bytes = reliable_.receive(now)) return bytes;
   return unreliable_.receive(now);
 }
@@ -50,7 +50,7 @@ ClientId VirtualNetwork::connect(VirtualClient& client, const LinkQuality& quali
   return lastClient_;
 }
 
-void VirtualNetwork::disconnect(ClientId client, std::optional<Moment> detectedAfter) {
+void VirtualNetwork::disconnect(ClientId client, std::optional<Time> detectedAfter) {
   connections_.erase(client);
   if (detectedAfter) losses_.push_back({now_ + *detectedAfter, client});
   detectDisconnects();
@@ -64,9 +64,9 @@ void VirtualNetwork::detectDisconnects() {
   });
 }
 
-Moment VirtualNetwork::nextTick() const { return kStart + Moment((ticks_ + 1) * 1'000'000 / kTicksPerSecond); }
+Time VirtualNetwork::nextTick() const { return kStart + Time((ticks_ + 1) * 1'000'000 / kTicksPerSecond); }
 
-void VirtualNetwork::step(Moment now) {
+void VirtualNetwork::step(Time now) {
   now_ = now;
   detectDisconnects();
   for (auto& [id, connection] : connections_) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/net/network_conditions.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "server/match/match.h"
 #include "tests/support/virtual_client.h"
 
@@ -19,7 +19,7 @@ namespace platon {
 /// retransmitted them.
 class VirtualNetwork {
  public:
-  Moment now() const { return now_; }
+  Time now() const { return now_; }
   Match& match() { return match_; }
   /// All events of the match up to its last tick.
   const std::vector<MatchEvent>& events() const { return events_; }
@@ -38,12 +38,12 @@ class VirtualNetwork {
   /// Connects a client, with the same quality in both directions. Returns the number of the connection; the first is 1.
   ClientId connect(VirtualClient& client, const LinkQuality& quality);
   /// The connection is lost, with all messages in flight. The server detects it after `detectedAfter`; nothing: never.
-  void disconnect(ClientId client, std::optional<Moment> detectedAfter = Moment::zero());
+  void disconnect(ClientId client, std::optional<Time> detectedAfter = Time::zero());
   /// When the match ticks next.
-  Moment nextTick() const;
+  Time nextTick() const;
   /// Lets time pass until `now`: updates the clients, delivers what they send, lets the match tick if it is due, and
   /// delivers what the match sends.
-  void step(Moment now);
+  void step(Time now);
 
  private:
   using Bytes = std::vector<std::uint8_t>;
@@ -53,9 +53,9 @@ class VirtualNetwork {
    public:
     Direction(const LinkQuality& quality, std::uint64_t seed);
 
-    void send(Bytes bytes, bool reliable, Moment now);
+    void send(Bytes bytes, bool reliable, Time now);
     /// The next message that has arrived.
-    std::optional<Bytes> receive(Moment now);
+    std::optional<Bytes> receive(Time now);
 
    private:
     NetworkConditions unreliable_, reliable_;
@@ -70,15 +70,15 @@ class VirtualNetwork {
   void deliverToMatch(ClientId client, Connection& connection);
   void tick();
 
-  static constexpr Moment kStart = std::chrono::seconds(100);
+  static constexpr Time kStart = std::chrono::seconds(100);
 
   Match match_;
   std::uint64_t seed_;
-  Moment now_ = kStart;
+  Time now_ = kStart;
   std::int64_t ticks_ = 0;  // of the server, without players too
   ClientId lastClient_ = 0;
   std::map<ClientId, Connection> connections_;
-  std::vector<std::pair<Moment, ClientId>> losses_;  // when the server detects which lost connection
+  std::vector<std::pair<Time, ClientId>> losses_;  // when the server detects which lost connection
   std::vector<MatchEvent> events_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;  // of the server's game, by round and tick
   std::size_t longest_ = 0;

@@ -201,9 +201,9 @@ void LiveMatch::leave() {
   lines_.tell();
   runs_->store();  // waits for the last run
   reportRuns();
-  const Moment pauses = clock_.now() - now();
-  const Clock clock{[this] { return now(); }, [this, pauses](Moment until) { clock_.sleepUntil(until + pauses); }};
-  const auto update = [this](Moment now) { client_.update(now, [](const Game&, std::uint32_t) { return Input{}; }); };
+  const Time pauses = clock_.now() - now();
+  const Clock clock{[this] { return now(); }, [this, pauses](Time until) { clock_.sleepUntil(until + pauses); }};
+  const auto update = [this](Time now) { client_.update(now, [](const Game&, std::uint32_t) { return Input{}; }); };
   updateUntilClosed(clock, update, [this] { return client_.closed(); });
 }
 

@@ -27,7 +27,7 @@
 #include "client/ui/chat_feed.h"
 #include "client/ui/settings.h"
 #include "platon/game/player.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "protocol/token_bucket.h"
 #include "protocol/transport/server_address.h"
 #include "protocol/transport/server_identity.h"
@@ -75,19 +75,19 @@ class ServerLines {
   static constexpr double kLinesPerSecond = 1;
   static constexpr double kBurst = 10;
   /// Between the first line that is left out and the line that tells their number.
-  static constexpr Moment kTellTime = std::chrono::seconds(10);
+  static constexpr Time kTellTime = std::chrono::seconds(10);
 
   /// `print` takes a line without its end.
-  explicit ServerLines(Moment now, Print print = toStderr)
+  explicit ServerLines(Time now, Print print = toStderr)
       : budget_(kLinesPerSecond, kBurst, now), print_(std::move(print)) {}
 
   /// Prints a line, or leaves it out.
-  void add(const std::string& line, Moment now) {
+  void add(const std::string& line, Time now) {
     if (budget_.take(1, now)) return print_(line);
     if (leftOut_++ == 0) tellAt_ = now + kTellTime;
   }
   /// Tells how many lines were left out, when it is time. Call it regularly.
-  void update(Moment now) {
+  void update(Time now) {
     if (now >= tellAt_) tell();
   }
   /// Tells it at once; nothing if none were.
@@ -104,7 +104,7 @@ class ServerLines {
   TokenBucket budget_;
   Print print_;
   std::size_t leftOut_ = 0;
-  Moment tellAt_{};
+  Time tellAt_{};
 };
 
 /// What is kept of a server from one match to the next: its key, and the token that resumes the player after a crash of
@@ -137,7 +137,7 @@ class ServerMemory {
 /// levels, writes desync reports, and says what is to be seen.
 class LiveMatch {
  public:
-  static constexpr Moment kNoticeTime = std::chrono::seconds(8);
+  static constexpr Time kNoticeTime = std::chrono::seconds(8);
 
   /// Starts the server, if it is in this program, and starts to connect; resumes the player if the program ended
   /// without leaving. Throws as EmbeddedServer does, std::runtime_error if the host name cannot be resolved or no
@@ -157,7 +157,7 @@ class LiveMatch {
 
   const NetworkClient& client() const { return client_; }
   /// Time of the match: stands still in a pause.
-  Moment now() const { return time_->now(); }
+  Time now() const { return time_->now(); }
   /// Whether the game stands still.
   bool paused() const { return time_->paused(); }
   /// Whether the server is in this program and nobody else plays on it.
@@ -195,7 +195,7 @@ class LiveMatch {
   // Text of the server's operator.
   struct Notice {
     std::string text;
-    Moment until{};
+    Time until{};
   };
 
   void run(double speed);

@@ -55,12 +55,12 @@ void SceneFeed::updateFlashes(const Round& round) {
   }
 }
 
-void SceneFeed::updateRoundTrips(const Session& session, Moment now) {
+void SceneFeed::updateRoundTrips(const Session& session, Time now) {
   roundTrips_.resize(session.names().size());
   for (std::uint32_t slot = 0; slot < roundTrips_.size(); ++slot) roundTrips_[slot] = session.roundTripMs(slot, now);
 }
 
-std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, SceneExtras extras) {
+std::optional<Scene> SceneFeed::scene(const Session& session, Time now, SceneExtras extras) {
   const Round* const round = session.round();
   if (round == nullptr) return std::nullopt;
   const Prediction& prediction = round->prediction();
@@ -103,7 +103,7 @@ void SoundFeed::update(const Session* session, const Scene* scene, std::optional
                 {settings.volume, settings.effectsVolume, settings.musicVolume}, seconds);
 }
 
-NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
+NetSample NetMeter::sample(const NetworkClient& client, Time now) {
   const Traffic traffic = client.traffic();
   readings_.push_back({now, traffic});
   while (now - readings_.front().at > std::chrono::seconds(1)) readings_.pop_front();

@@ -16,7 +16,7 @@
 #include "client/session/network_client.h"
 #include "client/session/session.h"
 #include "client/ui/settings.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 // What a session brings: the scene to draw, the sounds, and the samples of the net graph.
 namespace platon {
@@ -32,11 +32,11 @@ struct SceneExtras {
 class SceneFeed {
  public:
   /// Returns nothing while the session has no round.
-  std::optional<Scene> scene(const Session& session, Moment now, SceneExtras extras = {});
+  std::optional<Scene> scene(const Session& session, Time now, SceneExtras extras = {});
 
  private:
   void updateFlashes(const Round& round);
-  void updateRoundTrips(const Session& session, Moment now);
+  void updateRoundTrips(const Session& session, Time now);
 
   std::shared_ptr<const Level> level_;
   std::shared_ptr<const StageModel> stage_;               // of level_
@@ -68,11 +68,11 @@ class NetMeter {
  public:
   /// Call once per frame. `now` goes on also while the game is paused. Rates are averages over the last second. The
   /// client must have a session.
-  NetSample sample(const NetworkClient& client, Moment now);
+  NetSample sample(const NetworkClient& client, Time now);
 
  private:
   struct Reading {
-    Moment at;
+    Time at;
     Traffic traffic;  // total
   };
 

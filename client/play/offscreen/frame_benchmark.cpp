@@ -19,7 +19,7 @@ std::vector<std::string> namesInBenchmark() {
 
 constexpr double kFrameSeconds = double{1} / 60;
 
-double toMilliseconds(Moment moment) { return 1000 * toSeconds(moment); }
+double toMilliseconds(Time moment) { return 1000 * toSeconds(moment); }
 
 void drawOn(GameView& view, const Scene& scene) { view.draw(&scene, {}, Settings(), Overlay(), kFrameSeconds); }
 
@@ -57,7 +57,7 @@ void BenchmarkGame::predict() {
   if (tick >= inputs_.size()) return;
   if (tick >= kLead) {
     prediction_->confirm(inputs_[prediction_->confirmedTicks()]);
-    prediction_->reconcile(Moment());
+    prediction_->reconcile(Time());
   }
   prediction_->predict(inputs_[tick][0]);
 }
@@ -102,11 +102,11 @@ std::vector<Scene> FrameBenchmark::nextScenes() {
   for (std::uint32_t i = 0; i < kFramesInTurn; ++i) {
     game_.advance(kTicksBetween);
     for (std::uint32_t tick = 0; tick < kTicksBetween; ++tick) {
-      const Moment begin = clocks_.own();
+      const Time begin = clocks_.own();
       game_.predict();
       tickTimes_.add(toMilliseconds(clocks_.own() - begin));
     }
-    const Moment before = clocks_.own();
+    const Time before = clocks_.own();
     scenes.push_back(game_.scene());
     sceneTimes_.add(toMilliseconds(clocks_.own() - before));
   }
@@ -115,8 +115,8 @@ std::vector<Scene> FrameBenchmark::nextScenes() {
 
 void FrameBenchmark::draw(Course& course, const Scene& scene) const {
   const std::uint64_t calls = DrawCalls::count();
-  const Moment allBefore = clocks_.all();
-  const Moment before = clocks_.wall();
+  const Time allBefore = clocks_.all();
+  const Time before = clocks_.wall();
   drawOn(course.view, scene);
   finishDrawing();
   course.times.add(toMilliseconds(clocks_.wall() - before));
@@ -126,7 +126,7 @@ void FrameBenchmark::draw(Course& course, const Scene& scene) const {
 
 void FrameBenchmark::drawWithheld(Course& course, const Scene& scene) const {
   DrawCalls::withhold(true);
-  const Moment before = clocks_.own();
+  const Time before = clocks_.own();
   drawOn(course.commands, scene);
   course.ownTimes.add(toMilliseconds(clocks_.own() - before));
   DrawCalls::withhold(false);

@@ -18,7 +18,7 @@
 #include "client/scene/scene.h"
 #include "client/time/quantile_window.h"
 #include "platon/game/game.h"
-#include "protocol/moment.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -63,7 +63,7 @@ class FrameBenchmark {
   static constexpr std::uint32_t kHeight = 720;
   static constexpr std::size_t kFrames = 300;  ///< of each quality
 
-  using Now = std::function<Moment()>;
+  using Now = std::function<Time()>;
 
   struct Clocks {
     Now wall;  ///< the time that passes

@@ -13,7 +13,7 @@ namespace platon {
 
 namespace {
 
-constexpr Moment kToldInterval = std::chrono::seconds(2);
+constexpr Time kToldInterval = std::chrono::seconds(2);
 
 MatchChoice choiceOffscreen(const ClientOptions& options) {
   MatchChoice choice{options.server, options.knowledge.password};
@@ -100,10 +100,10 @@ void FramePlay::writeFrame(std::uint32_t frame) {
   writePng(view_.read(), frameFile(options_.folder, frame));
 }
 
-OffscreenReplay::OffscreenReplay(const ClientOptions& options, const Settings& settings, Moment now)
+OffscreenReplay::OffscreenReplay(const ClientOptions& options, const Settings& settings, Time now)
     : options_(options), settings_(settings), replay_(options.replay), toldAt_(now) {}
 
-bool OffscreenReplay::read(Moment now) {
+bool OffscreenReplay::read(Time now) {
   replay_.advance(0);
   if (!replay_.fault().empty()) throw ProgramError(ProgramError::kInvalid, replay_.fault());
   if (replay_.viewer() != nullptr) return true;

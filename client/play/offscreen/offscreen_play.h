@@ -15,8 +15,8 @@
 #include "client/time/clock.h"
 #include "client/ui/settings.h"
 #include "platon/game/game.h"
-#include "protocol/moment.h"
 #include "protocol/program_error.h"
+#include "protocol/time.h"
 
 // What the program does without a window. Each class does a part of it in each call, until it is done.
 namespace platon {
@@ -77,11 +77,11 @@ class FramePlay {
 class OffscreenReplay {
  public:
   /// Starts to read options.replay.
-  OffscreenReplay(const ClientOptions& options, const Settings& settings, Moment now);
+  OffscreenReplay(const ClientOptions& options, const Settings& settings, Time now);
 
   /// Returns whether the file has been read, and tells on stderr how far it is if that takes long. Throws ProgramError
   /// with one sentence if it cannot be played.
-  bool read(Moment now);
+  bool read(Time now);
   /// Why a file is not played whose reading was stopped.
   ProgramError stopped() const;
   /// Draws the moment after the time of the options, or without one the end, and writes it to options.screenshot. The
@@ -94,7 +94,7 @@ class OffscreenReplay {
   ClientOptions options_;
   Settings settings_;
   ReplayPlay replay_;
-  Moment toldAt_;
+  Time toldAt_;
 };
 
 }  // namespace platon

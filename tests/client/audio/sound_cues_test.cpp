@@ -479,7 +479,7 @@ TEST(SoundCues, ReconciliationRepeatsNoCue) {
       const std::uint32_t confirmed = tick - kRoundTrip;
       const Input late = jumping(confirmed - std::min(confirmed, confirmed / kTicksPerSecond % 4));
       prediction.confirm(std::span(&late, 1));
-      prediction.reconcile(Moment(0));
+      prediction.reconcile(Time(0));
     }
     CueSource source;
     source.mesh = &mesh;

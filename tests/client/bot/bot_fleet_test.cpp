@@ -56,9 +56,9 @@ class FaultyServer {
 TEST(BotFleet, WritesADesyncReportAndResyncs) {
   const TemporaryFolder folder;
   FaultyServer server;
-  Moment now{};  // FaultyServer::kStart
+  Time now{};  // FaultyServer::kStart
   const Clock clock{[&] { return now; },
-                    [&](Moment until) {
+                    [&](Time until) {
                       server.step(TimePoint(now));
                       now = until;
                     }};
@@ -92,7 +92,7 @@ FleetOptions threeBots(bool hollow) {
 TEST(BotFleet, PlaysForTheGivenTimeAndLeaves) {
   for (const bool hollow : {false, true}) {
     LoopbackServer server;
-    const Moment start = server.clock().now();
+    const Time start = server.clock().now();
     const std::vector<BotResult> results = BotFleet(threeBots(hollow), server.address(), server.clock()).play();
     const double seconds = toSeconds(server.clock().now() - start);
     EXPECT_GE(seconds, 4);
@@ -121,8 +121,8 @@ TEST(BotFleet, DerivesTheKeyOfThePasswordOnce) {
 }
 
 TEST(BotFleet, CountsBotsThatNeverJoined) {
-  Moment now{};
-  const Clock clock{[&] { return now; }, [&](Moment until) { now = until; }};
+  Time now{};
+  const Clock clock{[&] { return now; }, [&](Time until) { now = until; }};
   FleetOptions options = threeBots(false);
   options.seconds = 7;
   const std::vector<BotResult> results = BotFleet(options, {"127.0.0.1", 1}, clock).play();

@@ -110,7 +110,7 @@ PredictionStatistics statisticsOf(std::uint32_t ticks, std::uint32_t corrections
 }
 
 TEST(BotMeasure, StartsWithTheFirstConfirmedTick) {
-  BotMeasure measure(seconds(10), Moment{});
+  BotMeasure measure(seconds(10), Time{});
   measure.update(seconds(11), statisticsOf(0, 0, 0), {100, 1, 200, 2, 90});
   EXPECT_FALSE(measure.result(statisticsOf(0, 0, 0), {100, 1, 200, 2, 90}).joined);
   measure.update(seconds(12), statisticsOf(3, 0, 0), {110, 2, 220, 3, 900});

@@ -23,13 +23,13 @@ class PlayingBots : public testing::Test {
   void play(const LinkQuality& quality) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       bots_.push_back(std::make_unique<PlayingBot>(server_.address(), "bot", ServerKnowledge(), quality, seed,
-                                                   server_.clock().now(), Moment{}));
+                                                   server_.clock().now(), Time{}));
     }
     EXPECT_TRUE(
         runUntilAll([](const Bot& bot) { return bot.closed() || bot.result().prediction.confirmedTicks >= kTicks; }));
   }
 
-  void update(Moment now) {
+  void update(Time now) {
     for (const auto& bot : bots_) bot->update(now);
   }
 
@@ -39,7 +39,7 @@ class PlayingBots : public testing::Test {
       return std::all_of(bots_.begin(), bots_.end(), [&](const auto& bot) { return condition(*bot); });
     };
     return server_.runUntil(
-        seconds(20), [this](Moment now) { update(now); }, done);
+        seconds(20), [this](Time now) { update(now); }, done);
   }
 
   void expectLockstep() {
@@ -77,14 +77,14 @@ TEST_F(PlayingBots, StayInLockstepWithBurstLossAndLowBandwidth) {
 
 TEST_F(PlayingBots, CountTheirResumes) {
   play(LinkQuality());
-  server_.suspend(Session::kTimeout + seconds(1), [this](Moment now) { update(now); });
+  server_.suspend(Session::kTimeout + seconds(1), [this](Time now) { update(now); });
   EXPECT_TRUE(runUntilAll([](const Bot& bot) { return bot.result().resumes == 1; }));
   expectLockstep();
 }
 
 TEST_F(PlayingBots, ReportAnUnreachableServer) {
-  PlayingBot bot({"127.0.0.1", 1}, "bot", {}, LinkQuality(), 1, Moment{}, Moment{});
-  for (Moment now{}; now <= seconds(6); now += std::chrono::milliseconds(50)) bot.update(now);
+  PlayingBot bot({"127.0.0.1", 1}, "bot", {}, LinkQuality(), 1, Time{}, Time{});
+  for (Time now{}; now <= seconds(6); now += std::chrono::milliseconds(50)) bot.update(now);
   EXPECT_TRUE(bot.closed());
   EXPECT_FALSE(bot.result().joined);
   EXPECT_EQ(bot.result().ending, "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
@@ -93,11 +93,11 @@ TEST_F(PlayingBots, ReportAnUnreachableServer) {
 class HollowBotTest : public testing::Test {
  protected:
   HollowBot join(const LinkQuality& quality) {
-    return HollowBot(server_.address(), "hollow", {}, quality, 1, server_.clock().now(), Moment{});
+    return HollowBot(server_.address(), "hollow", {}, quality, 1, server_.clock().now(), Time{});
   }
   bool playUntil(HollowBot& bot, std::uint32_t ticks) {
     return server_.runUntil(
-        seconds(20), [&](Moment now) { bot.update(now); },
+        seconds(20), [&](Time now) { bot.update(now); },
         [&] { return bot.closed() || bot.result().prediction.confirmedTicks >= ticks; });
   }
 
@@ -124,7 +124,7 @@ TEST_F(HollowBotTest, LeaveRemovesThePlayer) {
   ASSERT_TRUE(playUntil(bot, 10));
   bot.leave();
   EXPECT_TRUE(server_.runUntil(
-      seconds(2), [&](Moment now) { bot.update(now); }, [&] { return bot.closed(); }));
+      seconds(2), [&](Time now) { bot.update(now); }, [&] { return bot.closed(); }));
   EXPECT_EQ(server_.server().match().players(), 0u);
 }
 

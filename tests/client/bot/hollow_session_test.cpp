@@ -33,8 +33,8 @@ class HollowSessionTest : public testing::Test {
   }
 
   // Reliable messages use the same simulated connection, so tests drop messages only after joining.
-  void run(Moment duration) {
-    for (const Moment end = now_ + duration; now_ < end; now_ += milliseconds(1)) {
+  void run(Time duration) {
+    for (const Time end = now_ + duration; now_ < end; now_ += milliseconds(1)) {
       while ((ticks_ + 1) * 1'000'000 / kTicksPerSecond <= static_cast<std::uint64_t>(now_.count())) tick();
       if (session_) exchangeMessages();
     }
@@ -76,7 +76,7 @@ class HollowSessionTest : public testing::Test {
     while (const auto bytes = down_->receive(now_)) session_->receive(*bytes, now_);
   }
 
-  Moment now_{};
+  Time now_{};
   std::uint64_t ticks_ = 0;
   std::uint32_t sent_ = 0;
   std::optional<NetworkConditions> up_, down_;
@@ -135,7 +135,7 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
   const std::uint32_t round = match_.round();
   for (std::uint32_t tick = 60; match_.round() == round && tick < 6000; ++tick) {
     match_.receive(9, PlayerInputs{round, 77, 0, 0, tick, {Input{Input::kPresent | Input::kRight}}});
-    run(Moment(1'000'000 / kTicksPerSecond));
+    run(Time(1'000'000 / kTicksPerSecond));
   }
   ASSERT_EQ(match_.round(), round + 1);
   run(std::chrono::seconds(3));
@@ -147,12 +147,12 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
 }
 
 TEST_F(HollowSessionTest, ReportsWhyItEnded) {
-  HollowSession refused("x", Moment(0));
-  refused.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
+  HollowSession refused("x", Time(0));
+  refused.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Time(0));
   ASSERT_TRUE(refused.ending());
   EXPECT_EQ(refused.ending()->reason, "the server refused this client: server is full");
-  HollowSession malformed("x", Moment(0));
-  malformed.receive(std::vector<std::uint8_t>{1, 2, 3, 4}, Moment(0));
+  HollowSession malformed("x", Time(0));
+  malformed.receive(std::vector<std::uint8_t>{1, 2, 3, 4}, Time(0));
   ASSERT_TRUE(malformed.ending());
   EXPECT_EQ(malformed.ending()->reason, "protocol error: malformed message from the server");
 }
@@ -192,10 +192,10 @@ TEST_F(HollowSessionTest, LeaveRemovesThePlayer) {
 
 // Only a faulty server sends these states: the messages to it must stay within the limits of the protocol.
 TEST_F(HollowSessionTest, LimitsItsInputsAfterAStateOfAnyTick) {
-  HollowSession session("x", Moment(0));
-  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
-  session.receive(encode(LevelChunk{2, 1, 0, {'x'}}), Moment(0));
-  Moment now{};
+  HollowSession session("x", Time(0));
+  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Time(0));
+  session.receive(encode(LevelChunk{2, 1, 0, {'x'}}), Time(0));
+  Time now{};
   const auto receiveState = [&](std::uint32_t tick) {
     session.receive(encode(StateChunk{1, tick, 1, 1, 0, {0}}), now);
     ConfirmedTicks ticks;

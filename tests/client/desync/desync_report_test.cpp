@@ -77,11 +77,11 @@ TEST(DesyncReport, SaysThatTheDifferenceIsGone) {
 // A server can cause a desync with every message.
 TEST(DesyncReports, AtMostOneIsMadeInAMinuteAndEachIsTakenOnce) {
   DesyncReports reports;
-  const auto add = [&reports](Moment now) {
+  const auto add = [&reports](Time now) {
     reports.add(desyncOf(gameAfter(1), std::nullopt), now);
     return reports.take().has_value();
   };
-  reports.add(std::nullopt, Moment(0));
+  reports.add(std::nullopt, Time(0));
   EXPECT_FALSE(reports.take());
   EXPECT_TRUE(add(std::chrono::seconds(1)));
   EXPECT_FALSE(reports.take());

@@ -55,9 +55,9 @@ TEST_F(SettingsFileTest, AChangeIsSavedWhenItHasStayedForASecond) {
   using std::chrono::milliseconds;
   SettingsFile file(folder_);
   Settings settings = file.load();
-  Moment now(0);
-  const auto updateFor = [&](Moment time) {
-    for (const Moment end = now + time; now < end; now += milliseconds(50)) file.update(settings, now);
+  Time now(0);
+  const auto updateFor = [&](Time time) {
+    for (const Time end = now + time; now < end; now += milliseconds(50)) file.update(settings, now);
   };
   updateFor(milliseconds(3000));
   EXPECT_FALSE(fs::exists(path_)) << "nothing has changed";
@@ -148,7 +148,7 @@ TEST_F(SettingsFileTest, AFileThatCouldNotBeKeptIsReplacedAsSoonAsItCan) {
   file.save(settings);
   EXPECT_EQ(read(), broken);
   fs::remove_all(kept);
-  Moment now(0);
+  Time now(0);
   EXPECT_TRUE(waitUntil([&] {
     file.update(settings, now += std::chrono::seconds(1));
     return read() == settings.text();

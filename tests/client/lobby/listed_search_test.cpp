@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Moment kNow = 100s;
+constexpr Time kNow = 100s;
 
 class ListedSearchTest : public testing::Test {
  protected:
@@ -32,8 +32,8 @@ class ListedSearchTest : public testing::Test {
   }
 
   // Lets time pass in pictures of 16 ms. Servers answer before each, if `answers`.
-  void letPass(Moment duration, bool answers = false) {
-    const Moment end = now_ + duration;
+  void letPass(Time duration, bool answers = false) {
+    const Time end = now_ + duration;
     for (; now_ < end; now_ += 16ms) {
       search_.update(now_);
       for (; answered_ < network_.sent().size(); ++answered_) {
@@ -71,7 +71,7 @@ class ListedSearchTest : public testing::Test {
   DatagramNetwork network_;
   std::uint64_t random_ = 0;
   ListedSearch search_{network_.socket(own_), [this] { return random_ += 1000; }, false};
-  Moment now_ = kNow;
+  Time now_ = kNow;
   std::size_t answered_ = 0;
 };
 

@@ -113,11 +113,11 @@ class ListedServersTest : public testing::Test {
   }
   // Steps both until all queries to a server were sent and answered.
   void letAllQueriesPass(ListedServers& servers) {
-    const Moment end = now_ + ListedSearch::kInterval * (ListedSearch::kMaxTries + 1);
+    const Time end = now_ + ListedSearch::kInterval * (ListedSearch::kMaxTries + 1);
     while (now_ < end) step(servers);
   }
 
-  Moment now_ = steadyClock().now();
+  Time now_ = steadyClock().now();
   ServerSettings settings_;
   std::optional<DedicatedServer> server_{std::in_place, settings_, std::vector<LevelPointer>{endlessLevel()},
                                          Log(LogFormat::kText, [](std::string_view) {})};

@@ -16,7 +16,7 @@
 namespace platon::near_servers_network_test {
 namespace {
 
-constexpr Moment kEnd = std::chrono::seconds(60);
+constexpr Time kEnd = std::chrono::seconds(60);
 
 // 127.255.255.255 reaches all sockets of this machine that listen on all of its addresses, as the broadcast address of
 // a network does.
@@ -29,8 +29,8 @@ TEST(NearServersNetwork, AServerAnswersASearchOfItsWholeNetworkOnce) {
   const std::uint16_t port = server.port();
   NearServers servers(std::move(socket), {addressAt("127.255.255.255", port), addressAt("127.0.0.1", port)}, 42);
   const Clock clock = steadyClock();
-  const Moment begin = clock.now();
-  for (Moment now = begin; now < begin + kEnd && servers.list().empty(); now = clock.now()) {
+  const Time begin = clock.now();
+  for (Time now = begin; now < begin + kEnd && servers.list().empty(); now = clock.now()) {
     servers.update(now);
     server.step(TimePoint(now));
     servers.socket().wait(std::chrono::milliseconds(2));

@@ -35,7 +35,7 @@ TEST(BroadcastAddresses, AreNoAddressesOfThisMachine) {
 
 using namespace std::chrono_literals;
 
-constexpr Moment kNow = 100s;
+constexpr Time kNow = 100s;
 
 class NearServersTest : public testing::Test {
  protected:

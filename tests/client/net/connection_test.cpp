@@ -56,7 +56,7 @@ class ConnectionTest : public testing::Test {
   }
 
   DatagramNetwork network_;
-  Moment now_ = std::chrono::seconds(1000);
+  Time now_ = std::chrono::seconds(1000);
   ServerIdentity identity_ = ServerIdentity::random();
   std::optional<std::string> ban_;  // why nobody may join
   Host host_{network_.socket(kServer), identity_, {}, now_, {.ban = [this](const IpAddress&) { return ban_; }}};
@@ -155,10 +155,10 @@ Connection::Refused refusedWith(std::uint32_t version, RefusalReason reason, con
   DatagramNetwork network;
   const KeyPair keys = KeyPair::random();
   ClientGate gate(network.socket(kClient), {kServer}, {}, keys);
-  gate.update(Moment{});
+  gate.update(Time{});
   network.inject(kServer, kClient,
                  encode(Refusal{static_cast<std::uint16_t>(version), echoOf(keys.publicKey), reason, text}));
-  gate.receive(Moment{});
+  gate.receive(Time{});
   return refusalOf(gate);
 }
 
@@ -185,9 +185,9 @@ TEST(RefusalText, SaysThatAPasswordOrTheKnownServerIsMissing) {
   const CryptoKey identity = ServerIdentity::random().publicKey();
   const auto textFor = [&](const ServerKnowledge& knowledge, bool needsPassword = true) {
     ClientGate gate(network.socket(kClient), {kServer}, knowledge, keys);
-    gate.update(Moment{});
+    gate.update(Time{});
     network.inject(kServer, kClient, encode(CookieReply{echoOf(keys.publicKey), needsPassword, identity, {}}));
-    gate.receive(Moment{});
+    gate.receive(Time{});
     return refusalOf(gate).reason;
   };
   EXPECT_NE(textFor({}).find("--password-file"), std::string::npos);

@@ -31,8 +31,8 @@ constexpr int kDatagrams = 20000;
 
 struct Arrival {
   int number;
-  Moment sent;
-  Moment received;
+  Time sent;
+  Time received;
 };
 
 std::vector<std::uint8_t> numbered(int number) {
@@ -59,8 +59,8 @@ bool inOrder(const std::vector<Arrival>& arrivals) {
                         [](const Arrival& a, const Arrival& b) { return a.number < b.number; });
 }
 
-std::vector<std::pair<int, Moment>> keysOf(const std::vector<Arrival>& arrivals) {
-  std::vector<std::pair<int, Moment>> keys;
+std::vector<std::pair<int, Time>> keysOf(const std::vector<Arrival>& arrivals) {
+  std::vector<std::pair<int, Time>> keys;
   for (const Arrival& arrival : arrivals) keys.emplace_back(arrival.number, arrival.received);
   return keys;
 }
@@ -88,7 +88,7 @@ TEST(NetworkConditions, DelaysWithinItsBoundsAndKeepsTheOrder) {
   const auto arrivals = transmit(quality, 3);
   ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
   EXPECT_TRUE(inOrder(arrivals));
-  Moment longest{};
+  Time longest{};
   for (const Arrival& arrival : arrivals) {
     ASSERT_GE(arrival.received - arrival.sent, milliseconds(50));
     ASSERT_LE(arrival.received - arrival.sent, milliseconds(81));
@@ -199,17 +199,17 @@ TEST(NetworkConditions, KeepsTheShareByLongerBurstsIfNeeded) {
 }
 
 struct Sent {
-  Moment at;
+  Time at;
   std::size_t bytes;
 };
 
 // Arrival time of each datagram; nothing for lost ones.
-std::vector<std::optional<Moment>> arrivalsOf(const LinkQuality& quality, const std::vector<Sent>& datagrams) {
+std::vector<std::optional<Time>> arrivalsOf(const LinkQuality& quality, const std::vector<Sent>& datagrams) {
   NetworkConditions link(quality, 11);
-  std::vector<std::optional<Moment>> arrivals(datagrams.size());
+  std::vector<std::optional<Time>> arrivals(datagrams.size());
   std::size_t next = 0;
-  const Moment end = datagrams.back().at + std::chrono::seconds(5);
-  for (Moment now{}; now <= end; now += microseconds(500)) {
+  const Time end = datagrams.back().at + std::chrono::seconds(5);
+  for (Time now{}; now <= end; now += microseconds(500)) {
     for (; next < datagrams.size() && datagrams[next].at <= now; ++next) {
       link.send(std::vector<std::uint8_t>(datagrams[next].bytes, static_cast<std::uint8_t>(next)), now);
     }
@@ -222,12 +222,12 @@ TEST(NetworkConditions, RateSpacesDatagramsSentTogether) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   EXPECT_FALSE(quality.perfect());
-  const Moment start = milliseconds(7);
+  const Time start = milliseconds(7);
   const auto arrivals =
       arrivalsOf(quality, {{start, 100}, {start, 100}, {start, 50}, {start, 5}, {start + milliseconds(100), 100}});
-  const std::vector<std::optional<Moment>> expected = {start + milliseconds(10), start + milliseconds(20),
-                                                       start + milliseconds(25), start + microseconds(25500),
-                                                       start + milliseconds(110)};
+  const std::vector<std::optional<Time>> expected = {start + milliseconds(10), start + milliseconds(20),
+                                                     start + milliseconds(25), start + microseconds(25500),
+                                                     start + milliseconds(110)};
   EXPECT_EQ(arrivals, expected);
 }
 
@@ -235,15 +235,15 @@ TEST(NetworkConditions, DelayStartsAfterTheBottleneck) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   quality.delayMs = 30;
-  const std::vector<std::optional<Moment>> expected = {milliseconds(40), milliseconds(50)};
-  EXPECT_EQ(arrivalsOf(quality, {{Moment(0), 100}, {Moment(0), 100}}), expected);
+  const std::vector<std::optional<Time>> expected = {milliseconds(40), milliseconds(50)};
+  EXPECT_EQ(arrivalsOf(quality, {{Time(0), 100}, {Time(0), 100}}), expected);
 }
 
 // At 10 bytes per millisecond the sixth datagram waits exactly 250 ms, which is allowed.
 TEST(NetworkConditions, AFullQueueDropsNewDatagrams) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
-  std::vector<Sent> datagrams(9, {Moment(0), 500});
+  std::vector<Sent> datagrams(9, {Time(0), 500});
   datagrams.push_back({milliseconds(49), 1});
   datagrams.push_back({milliseconds(50), 1});
   const auto arrivals = arrivalsOf(quality, datagrams);
@@ -270,7 +270,7 @@ TEST(NetworkConditions, LostDatagramsOccupyTheBottleneck) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   quality.lossPercent = 50;
-  const auto arrivals = arrivalsOf(quality, std::vector<Sent>(6, {Moment(0), 100}));
+  const auto arrivals = arrivalsOf(quality, std::vector<Sent>(6, {Time(0), 100}));
   const auto lost = std::count(arrivals.begin(), arrivals.end(), std::nullopt);
   EXPECT_GT(lost, 0);
   EXPECT_LT(lost, 6);
@@ -335,8 +335,8 @@ TEST(NetworkConditions, DeliversAnEmptyDatagramUncorrupted) {
   LinkQuality quality;
   quality.corruptPercent = 100;
   NetworkConditions link(quality, 16);
-  link.send({}, Moment(0));
-  EXPECT_EQ(link.receive(Moment(0)), std::vector<std::uint8_t>());
+  link.send({}, Time(0));
+  EXPECT_EQ(link.receive(Time(0)), std::vector<std::uint8_t>());
 }
 
 TEST(NetworkConditions, TheSameSeedGivesTheSameDeliveries) {
@@ -440,7 +440,7 @@ class LossyRelayTest : public testing::Test {
 
   Socket server_;
   std::optional<LossyRelay> relay_;
-  Moment now_{};
+  Time now_{};
 };
 
 TEST_F(LossyRelayTest, ForwardsDatagramsBothWaysWithDelay) {
@@ -451,7 +451,7 @@ TEST_F(LossyRelayTest, ForwardsDatagramsBothWaysWithDelay) {
   sendToRelay(client, "question");
   ASSERT_EQ(receive(server_), "question");
   EXPECT_GE(now_, milliseconds(30));
-  const Moment answered = now_;
+  const Time answered = now_;
   server_.send("answer", server_.senderPort());
   EXPECT_EQ(receive(client), "answer");
   EXPECT_GE(now_ - answered, milliseconds(30));

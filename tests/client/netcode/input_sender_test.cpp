@@ -97,7 +97,7 @@ class SendScheduleTest : public testing::Test {
     return sent;
   }
 
-  Moment now() const { return milliseconds(ticks_ * 16); }
+  Time now() const { return milliseconds(ticks_ * 16); }
   bool due() const { return schedule_.due(now(), ticks_); }
 
   SendSchedule schedule_;

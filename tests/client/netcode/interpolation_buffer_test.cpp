@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Moment kStart = std::chrono::seconds(50);
+constexpr Time kStart = std::chrono::seconds(50);
 constexpr double kPerfectDelay = 1 + InterpolationBuffer::kSpareTicks;
 
 // A game with one running player, whose ticks arrive at given times.
@@ -54,7 +54,7 @@ class InterpolationBufferTest : public testing::Test {
     }
   }
 
-  Moment now() const { return kStart + Moment(std::llround(time_ * 1e6 / kTicksPerSecond)); }
+  Time now() const { return kStart + Time(std::llround(time_ * 1e6 / kTicksPerSecond)); }
 
   // Checks positions and fraction against the recorded positions of the runner.
   void checkPlayers() const {

@@ -29,11 +29,11 @@ class LinkMeterTest : public testing::Test {
 };
 
 TEST_F(LinkMeterTest, IsZeroAtFirst) {
-  EXPECT_EQ(meter_.roundTrip(), Moment{});
+  EXPECT_EQ(meter_.roundTrip(), Time{});
   EXPECT_EQ(meter_.lostDownPercent(), 0u);
   EXPECT_EQ(meter_.lostUpPercent(), 0u);
   receive(10, std::nullopt);
-  EXPECT_EQ(meter_.roundTrip(), Moment{});
+  EXPECT_EQ(meter_.roundTrip(), Time{});
 }
 
 TEST_F(LinkMeterTest, SmoothsTheRoundTripByAnEighth) {

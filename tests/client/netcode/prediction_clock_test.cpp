@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Moment kStart = std::chrono::seconds(50);
+constexpr Time kStart = std::chrono::seconds(50);
 
 ConfirmedTicks ticks(std::uint32_t from, std::uint32_t count) {
   ConfirmedTicks message;
@@ -45,7 +45,7 @@ class Link {
   void pass(PredictionClock& clock) {
     for (int frame = 0; frame < 4; ++frame) {
       ticks_ += 0.25;
-      clock.update(kStart + Moment(static_cast<Moment::rep>(ticks_ * 1e6 / kTicksPerSecond)), next_);
+      clock.update(kStart + Time(static_cast<Time::rep>(ticks_ * 1e6 / kTicksPerSecond)), next_);
       for (; clock.reaches(next_); ++next_) clock.inputChosen(next_);
     }
     const double arrival = ticks_ + delay_ + jitter_ * static_cast<double>(random_() >> 11) * 0x1p-53;

@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::uint32_t kLocal = 1;
-constexpr Moment kNow = std::chrono::seconds(9);
+constexpr Time kNow = std::chrono::seconds(9);
 
 using Inputs = std::vector<Input>;
 
@@ -207,15 +207,15 @@ TEST(Prediction, StopsAtTheLargestTick) {
   EXPECT_EQ(prediction.predictedTicks(), UINT32_MAX);
 }
 
-constexpr Moment kStart = std::chrono::hours(2);
+constexpr Time kStart = std::chrono::hours(2);
 
 struct Correction {
   Point offset;
-  Moment at;
+  Time at;
 };
 
 // Sum of all fading corrections: each fades linearly within 100 ms and is rounded towards zero.
-Point expected(const std::vector<Correction>& corrections, Moment now) {
+Point expected(const std::vector<Correction>& corrections, Time now) {
   Point sum;
   for (const Correction& correction : corrections) {
     const std::int64_t left = 100'000 - (now - correction.at).count();
@@ -268,7 +268,7 @@ TEST(ErrorSmoothing, CorrectionsFadeIndependently) {
     ErrorSmoothing smoothing;
     const std::vector<Correction> corrections = series(count);
     auto next = corrections.begin();
-    for (Moment now = kStart; now <= kStart + milliseconds(210); now += std::chrono::microseconds(250)) {
+    for (Time now = kStart; now <= kStart + milliseconds(210); now += std::chrono::microseconds(250)) {
       for (; next != corrections.end() && next->at <= now; ++next) smoothing.add(next->offset, next->at);
       ASSERT_EQ(smoothing.at(now), expected(corrections, now)) << count << " corrections, " << (now - kStart).count();
     }
@@ -285,7 +285,7 @@ TEST(ErrorSmoothing, TheDrawnPositionDoesNotJump) {
     Point last;
     auto next = corrections.begin();
     for (int ms = 0; ms <= 210; ++ms) {
-      const Moment now = kStart + milliseconds(ms);
+      const Time now = kStart + milliseconds(ms);
       std::int64_t fading = 0;
       for (const Correction& one : corrections) {
         const bool fades = one.at <= now && now - one.at <= milliseconds(101);

@@ -54,7 +54,7 @@ class EditorScreenTest : public testing::Test {
     Window window = openWindow("");
     const Settings settings = SettingsFile(configFolder()).load();
     ScreenStack screens(std::make_unique<EditorScreen>(session, window, settings, ""));
-    const Moment start = steadyClock().now();
+    const Time start = steadyClock().now();
     testing::AssertionResult allDone = runSteps(screens, window, kLimit, std::move(steps));
     timeIsUp_ = toSeconds(steadyClock().now() - start) >= kLimit;
     return allDone;

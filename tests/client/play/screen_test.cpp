@@ -24,7 +24,7 @@ class FakeScreen : public Screen {
   Next handle(const WindowEvent& /*event*/) override { return note("handle"); }
   Next update(const Frame& /*frame*/) override { return note("update"); }
   void draw(const Frame& /*frame*/) override { note("draw"); }
-  Moment frameTime() const override { return kCalmFrameTime; }
+  Time frameTime() const override { return kCalmFrameTime; }
   bool updateBehind(const Frame& /*frame*/) override {
     note("behind");
     return returns;

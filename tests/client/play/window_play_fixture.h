@@ -40,7 +40,7 @@ class WindowPlayTest : public testing::Test {
 
   // Plays until the player leaves or all steps are done.
   void play(std::vector<WindowStep> steps) {
-    const Moment start = steadyClock().now();  // before the time limit of the options begins
+    const Time start = steadyClock().now();  // before the time limit of the options begins
     GameDesk desk(options_, steadyClock());
     ScreenStack screens(std::make_unique<TitleScreen>(desk));
     desk_ = &desk;

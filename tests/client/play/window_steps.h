@@ -29,11 +29,11 @@ inline testing::AssertionResult runSteps(ScreenStack& screens, Window& window, d
                                          std::vector<WindowStep> steps) {
   steps.insert(steps.begin(), {[] {}, [] { return windowHas(GLFW_FOCUSED); }});
   const Clock clock = steadyClock();
-  const Moment start = clock.now();
+  const Time start = clock.now();
   std::size_t next = 0;
   bool acted = false;
-  Moment before = start;
-  for (Moment now = start; screens.isOpen() && next < steps.size(); now = clock.now()) {
+  Time before = start;
+  for (Time now = start; screens.isOpen() && next < steps.size(); now = clock.now()) {
     if (toSeconds(now - start) >= seconds) break;
     const Frame frame{now, toSeconds(now - std::exchange(before, now))};
     window.poll();

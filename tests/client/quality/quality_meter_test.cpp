@@ -120,10 +120,10 @@ double timeOf(const Quality& quality) { return 0.006 * quality.samples + (qualit
 
 // Draws a picture that is finished after this time.
 void draw(QualityTrial& trial, QualityChoice& choice, double seconds) {
-  Moment now{};
+  Time now{};
   bool drawn = false;
   const auto finish = [&] {
-    if (drawn) now += Moment(static_cast<Moment::rep>(seconds * 1e6));
+    if (drawn) now += Time(static_cast<Time::rep>(seconds * 1e6));
   };
   trial.draw(
       choice, [&] { return now; }, finish, [&] { drawn = true; });

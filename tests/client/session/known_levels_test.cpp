@@ -25,7 +25,7 @@ class KnownLevelsTest : public testing::Test {
   KnownLevels::Receipt receive(const Level& level) { return levels_.receive(chunkOf(level.hash, level.text), work_); }
 
   KnownLevels levels_{{}, nullptr};
-  WorkLimit work_{Moment(0)};
+  WorkLimit work_{Time(0)};
 };
 
 TEST_F(KnownLevelsTest, ALevelIsLackedUntilItIsRequestedAndKnownOnceItHasCome) {

@@ -22,8 +22,8 @@ const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRi
 template <class Done>
 bool updateUntil(NetworkClient& client, Done done) {
   const Clock clock = steadyClock();
-  const Moment end = clock.now() + std::chrono::seconds(10);
-  for (Moment now = clock.now(); now < end; now = clock.now()) {
+  const Time end = clock.now() + std::chrono::seconds(10);
+  for (Time now = clock.now(); now < end; now = clock.now()) {
     client.update(now, kRight);
     if (done()) return true;
     clock.sleepUntil(now + milliseconds(2));
@@ -32,9 +32,9 @@ bool updateUntil(NetworkClient& client, Done done) {
 }
 
 TEST(NetworkClient, ReportsThatNoServerAnswers) {
-  const Moment start = std::chrono::hours(1);
+  const Time start = std::chrono::hours(1);
   NetworkClient client({"127.0.0.1", 1}, {""}, start);
-  for (Moment now = start; now <= start + NetworkClient::kConnectTimeout; now += milliseconds(50)) {
+  for (Time now = start; now <= start + NetworkClient::kConnectTimeout; now += milliseconds(50)) {
     client.update(now, kRight);
     ASSERT_EQ(client.ending(), std::nullopt);
   }
@@ -45,11 +45,11 @@ TEST(NetworkClient, ReportsThatNoServerAnswers) {
 /// A client of a host that answers the first message of each connection as a test wants.
 class AnsweredClient : public testing::Test {
  protected:
-  using Answer = std::function<void(Host&, ClientId, Moment)>;
+  using Answer = std::function<void(Host&, ClientId, Time)>;
 
   // Returns when the client gives up, has tried `attempts` times, or two minutes of virtual time have passed.
   void run(std::size_t attempts, const Answer& answer) {
-    for (const Moment end = now_ + std::chrono::minutes(2); now_ < end && !client_.ending(); now_ += milliseconds(10)) {
+    for (const Time end = now_ + std::chrono::minutes(2); now_ < end && !client_.ending(); now_ += milliseconds(10)) {
       for (const HostEvent& event : host_.service(now_)) {
         if (!event.disconnected && greeted_.insert(event.client).second) answer(host_, event.client, now_);
       }
@@ -59,21 +59,21 @@ class AnsweredClient : public testing::Test {
     }
   }
 
-  Moment now_ = steadyClock().now();
+  Time now_ = steadyClock().now();
   Host host_{std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, now_};
   NetworkClient client_{{"127.0.0.1", host_.address().port}, {""}, now_};
   std::set<ClientId> greeted_;
 };
 
 // Both in one datagram, after which the connection is closed.
-void welcomeAndClose(Host& host, ClientId client, Moment now, ByeCode code) {
+void welcomeAndClose(Host& host, ClientId client, Time now, ByeCode code) {
   host.send(client, true, encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}));
   host.send(client, true, encode(Bye{code, "why"}));
   host.close(client, now);
 }
 
 TEST_F(AnsweredClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
-  run(100, [](Host&, ClientId, Moment) {});
+  run(100, [](Host&, ClientId, Time) {});
   ASSERT_TRUE(client_.ending().has_value());
   EXPECT_TRUE(client_.ending()->ends_with("did not respond in time; try again")) << *client_.ending();
   EXPECT_EQ(greeted_.size(), NetworkClient::kMaxFirstAttempts);
@@ -82,7 +82,7 @@ TEST_F(AnsweredClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
 TEST_F(AnsweredClient, RetriesWhenWelcomeAndByeArriveInOneServiceCall) {
   const std::size_t attempts = 2 * NetworkClient::kMaxFirstAttempts;
   run(attempts,
-      [](Host& host, ClientId client, Moment now) { welcomeAndClose(host, client, now, ByeCode::kServerStops); });
+      [](Host& host, ClientId client, Time now) { welcomeAndClose(host, client, now, ByeCode::kServerStops); });
   EXPECT_EQ(greeted_.size(), attempts);
   EXPECT_EQ(client_.ending(), std::nullopt);
   EXPECT_EQ(client_.outage(), "the server ended the game: why");
@@ -90,13 +90,13 @@ TEST_F(AnsweredClient, RetriesWhenWelcomeAndByeArriveInOneServiceCall) {
 }
 
 TEST_F(AnsweredClient, EndsWhenItIsRemovedInTheServiceCallOfItsWelcome) {
-  run(100, [](Host& host, ClientId client, Moment now) { welcomeAndClose(host, client, now, ByeCode::kRemoved); });
+  run(100, [](Host& host, ClientId client, Time now) { welcomeAndClose(host, client, now, ByeCode::kRemoved); });
   EXPECT_EQ(greeted_.size(), 1u);
   EXPECT_EQ(client_.ending(), "the server ended the game: why");
 }
 
 TEST_F(AnsweredClient, TellsWhereTheServerSendsIt) {
-  run(100, [](Host& host, ClientId client, Moment now) {
+  run(100, [](Host& host, ClientId client, Time now) {
     host.send(client, true, encode(Refused{RefusalCode::kOther, "why", "[::1]:5"}));
     host.close(client, now);
   });
@@ -106,7 +106,7 @@ TEST_F(AnsweredClient, TellsWhereTheServerSendsIt) {
 }
 
 TEST(NetworkClient, ThrowsForAnUnknownHost) {
-  EXPECT_THROW(NetworkClient({"no such host", 1}, {""}, Moment(1)), std::runtime_error);
+  EXPECT_THROW(NetworkClient({"no such host", 1}, {""}, Time(1)), std::runtime_error);
 }
 
 TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
@@ -129,9 +129,9 @@ TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
 class Farewell : public testing::Test {
  protected:
   // Updates until `closeAfter` updates have been made; returns how long it took.
-  Moment run(int closeAfter) {
-    const Moment start = now_;
-    const auto update = [this](Moment now) {
+  Time run(int closeAfter) {
+    const Time start = now_;
+    const auto update = [this](Time now) {
       EXPECT_EQ(now, now_);
       ++updates_;
     };
@@ -139,13 +139,13 @@ class Farewell : public testing::Test {
     return now_ - start;
   }
 
-  Moment now_ = std::chrono::seconds(7);
-  Clock clock_{[this] { return now_; }, [this](Moment until) { now_ = until; }};
+  Time now_ = std::chrono::seconds(7);
+  Clock clock_{[this] { return now_; }, [this](Time until) { now_ = until; }};
   int updates_ = 0;
 };
 
 TEST_F(Farewell, DoesNotUpdateAClosedConnection) {
-  EXPECT_EQ(run(0), Moment{});
+  EXPECT_EQ(run(0), Time{});
   EXPECT_EQ(updates_, 0);
 }
 

@@ -27,7 +27,7 @@ class VersionRelay {
 
   ServerAddress address() const { return {kLoopback, clientSide_.address().port}; }
 
-  void pump(Moment now) {
+  void pump(Time now) {
     while (const std::optional<Datagram> sent = clientSide_.receive(now)) {
       client_ = sent->peer;
       serverSide_.send(server_, shifted(sent->bytes, newer_), now);
@@ -57,7 +57,7 @@ std::optional<std::string> endingOf(int newer) {
   LoopbackServer server;
   VersionRelay relay(server.address(), newer);
   NetworkClient client(server.address(), NetworkClient::Profile{"Ann", {}, relay.address()}, server.clock().now());
-  const auto update = [&](Moment now) {
+  const auto update = [&](Time now) {
     relay.pump(now);
     client.update(now, [](const Game&, std::uint32_t) { return Input{}; });
     relay.pump(now);
@@ -84,7 +84,7 @@ std::optional<Refused> answerTo(std::uint32_t rules) {
   Connection connection({serverAt(server.address())}, {});
   std::optional<Refused> refused;
   bool greeted = false;
-  const auto update = [&](Moment now) {
+  const auto update = [&](Time now) {
     connection.service(now, [&refused](std::span<const std::uint8_t> bytes) {
       const auto message = decodeToClient(bytes);
       if (message && std::holds_alternative<Refused>(*message)) refused = std::get<Refused>(*message);

@@ -26,8 +26,8 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr Moment kStep = milliseconds(4);
-constexpr Moment kMaxResumeTime = seconds(1);  // from when the server is reachable again to the first confirmed tick
+constexpr Time kStep = milliseconds(4);
+constexpr Time kMaxResumeTime = seconds(1);  // from when the server is reachable again to the first confirmed tick
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
 
 LinkQuality delayed() {
@@ -79,18 +79,18 @@ class Outage : public testing::Test {
     if (relay_) relay_->pump(now_);
   }
 
-  void run(Moment duration) {
-    for (const Moment end = now_ + duration; now_ < end;) step();
+  void run(Time duration) {
+    for (const Time end = now_ + duration; now_ < end;) step();
   }
 
-  bool runUntil(Moment timeout, const std::function<bool()>& done) {
-    for (const Moment end = now_ + timeout; now_ < end && !done();) step();
+  bool runUntil(Time timeout, const std::function<bool()>& done) {
+    for (const Time end = now_ + timeout; now_ < end && !done();) step();
     return done();
   }
 
   // Time until the client confirms a further tick.
-  Moment timeToPlay() {
-    const Moment begun = now_;
+  Time timeToPlay() {
+    const Time begun = now_;
     const std::uint32_t before = ticks();
     EXPECT_TRUE(runUntil(seconds(20), [this, before] { return ticks() > before; }));
     return now_ - begun;
@@ -102,7 +102,7 @@ class Outage : public testing::Test {
   std::uint32_t slot() const { return client_->session()->welcome()->slot; }
   bool logged(const char* text) const { return log_.find(text) != std::string::npos; }
 
-  Moment now_ = steadyClock().now();
+  Time now_ = steadyClock().now();
   std::string log_;
   const ServerIdentity identity_ = ServerIdentity::random();
   std::optional<DedicatedServer> server_;
@@ -113,7 +113,7 @@ class Outage : public testing::Test {
 
 // The durations cover all phases of the client's attempts to reconnect.
 TEST_F(Outage, ResumesWithinASecondAfterTotalLoss) {
-  Moment longest{};
+  Time longest{};
   std::uint32_t outages = 0;
   play();
   for (const int ms : {2000, 3300, 4100, 4700, 6000, 8990, 9100, 13700, 14001, 26300, 33500, 55000}) {
@@ -123,7 +123,7 @@ TEST_F(Outage, ResumesWithinASecondAfterTotalLoss) {
     run(milliseconds(ms));
     EXPECT_EQ(client_->outage().has_value(), ms > 4000) << client_->outage().value_or("none");
     relay_->setQuality(delayed());
-    const Moment took = timeToPlay();
+    const Time took = timeToPlay();
     EXPECT_LE(took, kMaxResumeTime);
     longest = std::max(longest, took);
     run(seconds(2));
@@ -147,21 +147,21 @@ TEST_F(Outage, ShowsTheLastSceneUntilThePlayerIsResumed) {
   const TemporaryFolder folder;
   const EnvironmentVariable data("XDG_DATA_HOME", folder.path().string());
   const EnvironmentVariable cache("XDG_CACHE_HOME", folder.path().string());
-  LiveMatch match(ClientOptions(), {.server = relay_->address()}, {[this] { return now_; }, [](Moment) {}});
+  LiveMatch match(ClientOptions(), {.server = relay_->address()}, {[this] { return now_; }, [](Time) {}});
   const auto showsThePlayer = [&] {
     step();
     match.update(false, kRight);
     const std::optional<Scene> scene = match.scene();
     return scene && !scene->players.empty() && scene->players.back().local;
   };
-  const Moment settled = now_ + seconds(1);
+  const Time settled = now_ + seconds(1);
   while (now_ < settled) showsThePlayer();
   for (const int ms : {500, 507, 514}) {
     relay_->setQuality(fullLoss());
     while (!match.client().outage()) ASSERT_TRUE(showsThePlayer());
     relay_->setQuality(delayed());
     while (match.client().outage()) ASSERT_TRUE(showsThePlayer());
-    for (const Moment end = now_ + milliseconds(ms); now_ < end;) ASSERT_TRUE(showsThePlayer());
+    for (const Time end = now_ + milliseconds(ms); now_ < end;) ASSERT_TRUE(showsThePlayer());
   }
   EXPECT_EQ(match.client().resumes(), 3u);
 }
@@ -183,7 +183,7 @@ TEST_F(Outage, RejoinsARestartedServerWithinASecond) {
     stopServerSilently();
     run(milliseconds(ms));
     startServer(port_, 4);
-    const Moment begun = now_;
+    const Time begun = now_;
     ASSERT_TRUE(runUntil(seconds(10), [this] { return server_->match().players() == 1; }));
     // The client detects a restarted server at the latest when its timeout has passed.
     EXPECT_LE(now_ - begun, ms < 4000 ? Session::kTimeout : kMaxResumeTime);
@@ -286,7 +286,7 @@ TEST_F(Outage, ACrashedClientResumesWithItsToken) {
     run(milliseconds(ms));
     other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
     run(seconds(1));  // another player joins
-    const Moment begun = now_;
+    const Time begun = now_;
     client_.emplace(address(), NetworkClient::Profile{"Ann", {}, std::nullopt, token}, now_);
     EXPECT_EQ(client_->token(), token);
     ASSERT_TRUE(runUntil(kMaxResumeTime, [this] { return client_->session() != nullptr && ticks() > 0; }));

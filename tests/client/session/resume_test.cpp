@@ -37,8 +37,8 @@ struct ConnectionLoss {
   double delayMs = 30;  // each way
   double lossPercent = 0;
   std::size_t players = 2;
-  std::optional<Moment> detectedAfter = seconds(3);  // time until the server detects it; nothing: never
-  Moment duration = seconds(6);
+  std::optional<Time> detectedAfter = seconds(3);  // time until the server detects it; nothing: never
+  Time duration = seconds(6);
 };
 
 class Resume : public testing::TestWithParam<ConnectionLoss> {
@@ -56,11 +56,11 @@ class Resume : public testing::TestWithParam<ConnectionLoss> {
   }
 
   // Disconnects the client and resumes its player. Returns the time from reconnecting to the first confirmed tick.
-  Moment disconnectAndResume(const std::function<void()>& meanwhile) {
+  Time disconnectAndResume(const std::function<void()>& meanwhile) {
     match_.disconnect(kDisconnected, GetParam().detectedAfter);
     meanwhile();
     const std::uint32_t before = match_.session(kDisconnected).predictionStatistics().confirmedTicks;
-    const Moment begun = match_.now();
+    const Time begun = match_.now();
     match_.resume(kDisconnected);
     while (match_.session(kDisconnected).predictionStatistics().confirmedTicks == before &&
            match_.now() < begun + seconds(20)) {
@@ -69,19 +69,19 @@ class Resume : public testing::TestWithParam<ConnectionLoss> {
     return match_.now() - begun;
   }
 
-  Moment allowed() const {
-    const Moment roundTrip = milliseconds(static_cast<int>(2 * GetParam().delayMs));
+  Time allowed() const {
+    const Time roundTrip = milliseconds(static_cast<int>(2 * GetParam().delayMs));
     // With more than four players messages come every second tick, so a lost one costs two ticks.
     const int ticks = GetParam().lossPercent > 0 ? 9 : 3;
-    return roundTrip + Moment(ticks * 1'000'000 / kTicksPerSecond);
+    return roundTrip + Time(ticks * 1'000'000 / kTicksPerSecond);
   }
 
   EntityState place() { return match_.match().game().world().entities()[match_.slot(kDisconnected)]; }
 
   // Checks all the while that the player stays present for the others.
-  void runAndCheckPresence(Moment duration) {
+  void runAndCheckPresence(Time duration) {
     const std::uint32_t slot = match_.slot(kDisconnected);
-    for (const Moment end = match_.now() + duration; match_.now() < end; match_.run(milliseconds(50))) {
+    for (const Time end = match_.now() + duration; match_.now() < end; match_.run(milliseconds(50))) {
       ASSERT_TRUE(match_.match().game().player(slot).present);
       ASSERT_EQ(match_.session(1).names()[slot], "someone");
       ASSERT_TRUE(match_.session(1).round()->prediction().confirmed().player(slot).present);
@@ -100,7 +100,7 @@ TEST_P(Resume, ResumesThePlayerAtItsPlace) {
   const std::uint32_t ticks = match_.session(kDisconnected).predictionStatistics().confirmedTicks;
   ASSERT_GT(ticks, 200u);
   levelChunks_ = 0;
-  const Moment took = disconnectAndResume([&] { runAndCheckPresence(GetParam().duration); });
+  const Time took = disconnectAndResume([&] { runAndCheckPresence(GetParam().duration); });
   EXPECT_LE(took, allowed());
   RecordProperty("milliseconds", std::to_string(took / milliseconds(1)));
   std::printf("resumed after %lld ms\n", static_cast<long long>(took / milliseconds(1)));
@@ -125,7 +125,7 @@ TEST_P(Resume, PredictsThePlayerAtItsPlace) {
   disconnectAndResume([&] { match_.run(GetParam().duration); });
   const Prediction& prediction = match_.session(kDisconnected).round()->prediction();
   match_.run(milliseconds(4));  // to the first frame after the state has arrived
-  for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
+  for (const Time end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
     ASSERT_LT(prediction.slot(), prediction.predicted().slots());
     ASSERT_TRUE(prediction.predicted().player(prediction.slot()).present);
     const EntityState& local = prediction.predicted().world().entities()[prediction.slot()];
@@ -211,7 +211,7 @@ TEST_F(NextRound, IsJoinedAfterAnInterruptedTransfer) {
     match.join(quality, kRight);
     match.run(milliseconds(6500 + ms));  // the second round starts meanwhile
     for (int again = 0; again < 4; ++again) {
-      match.disconnect(kDisconnected, again % 2 == 0 ? std::optional<Moment>(milliseconds(1)) : std::nullopt);
+      match.disconnect(kDisconnected, again % 2 == 0 ? std::optional<Time>(milliseconds(1)) : std::nullopt);
       match.run(milliseconds(7));
       match.resume(kDisconnected);
       match.run(milliseconds(ms));

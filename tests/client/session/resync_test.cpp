@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 5;
-constexpr Moment kMaxExtraTime = milliseconds(100);  // in addition to the round trip
+constexpr Time kMaxExtraTime = milliseconds(100);  // in addition to the round trip
 
 Controls pressing(std::uint64_t seed) {
   return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
@@ -60,8 +60,8 @@ class Resync : public testing::TestWithParam<int> {
     return prediction.confirmed().hash() == match_.hashOf(match_.match().round(), prediction.confirmedTicks());
   }
 
-  Moment timeToMatch() {
-    const Moment start = match_.now();
+  Time timeToMatch() {
+    const Time start = match_.now();
     while (!matchesServer() && match_.now() < start + seconds(5)) match_.run(milliseconds(1));
     return match_.now() - start;
   }
@@ -73,7 +73,7 @@ class Resync : public testing::TestWithParam<int> {
     flipper->slot = static_cast<std::uint8_t>(match_.slot(0));
     match_.setChecked(0, false);
     match_.tamper(0, [flipper](std::vector<std::uint8_t>& bytes) { (*flipper)(bytes); });
-    const Moment end = match_.now() + seconds(5);
+    const Time end = match_.now() + seconds(5);
     while (matchesServer() && match_.now() < end) match_.run(milliseconds(1));
   }
 
@@ -89,7 +89,7 @@ TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
   for (std::uint32_t times = 1; times <= 2; ++times) {
     desync();
     ASSERT_FALSE(matchesServer());
-    const Moment took = timeToMatch();
+    const Time took = timeToMatch();
     EXPECT_LE(took, milliseconds(roundTripMs()) + kMaxExtraTime);
     std::printf("%zu bytes, after %lld ms\n", match_.match().game().save().size(),
                 static_cast<long long>(took / milliseconds(1)));

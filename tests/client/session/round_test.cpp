@@ -71,7 +71,7 @@ class RoundTest : public testing::Test {
 
   Server server_;
   Round round_{kId, endlessLevel(), kSlot, 6};
-  Moment now_{};
+  Time now_{};
 };
 
 TEST_F(RoundTest, SendsItsStateBeforeTheFirstTicks) {

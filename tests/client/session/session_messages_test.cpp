@@ -25,13 +25,13 @@ class SessionMessages : public testing::Test {
     memory.levels = {endlessLevel()};
     return memory;
   }
-  void receive(const auto& message) { session_.receive(encode(message), Moment(0)); }
+  void receive(const auto& message) { session_.receive(encode(message), Time(0)); }
   void receiveText(std::uint64_t hash, const std::string& text) {
     receive(LevelChunk{hash, static_cast<std::uint32_t>(text.size()), 0, {text.begin(), text.end()}});
   }
   std::uint32_t confirmed() const { return session_.round()->prediction().confirmedTicks(); }
 
-  Session session_{"x", Moment(0), memory()};
+  Session session_{"x", Time(0), memory()};
 };
 
 TEST_F(SessionMessages, TicksOfAnotherRoundAreIgnored) {

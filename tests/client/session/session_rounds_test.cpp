@@ -58,7 +58,7 @@ std::vector<Message> sentBy(Session& session) {
   return found;
 }
 
-void receive(Session& session, const auto& message) { session.receive(encode(message), Moment(0)); }
+void receive(Session& session, const auto& message) { session.receive(encode(message), Time(0)); }
 
 // In chunks, as a server sends it.
 void receiveLevel(Session& session, const Level& level) {
@@ -139,7 +139,7 @@ TEST(SessionVote, AResumedPlayerHasNotVoted) {
 }
 
 TEST(SessionVote, WithoutARoundOrAfterItsEndNothingIsSent) {
-  Session session("x", Moment(0));
+  Session session("x", Time(0));
   session.toggleVote();
   EXPECT_TRUE(sentBy<Vote>(session).empty());
   receive(session, welcomeTo(*endlessLevel()));
@@ -158,7 +158,7 @@ TEST(SessionVote, WithoutARoundOrAfterItsEndNothingIsSent) {
 TEST(SessionVote, ACountOfAnotherRoundIsIgnored) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   receive(session, welcomeTo(*endlessLevel()));
   receive(session, VoteCount{2, 1, 1});
   EXPECT_EQ(session.voteCount(), VoteCount());
@@ -169,7 +169,7 @@ TEST(SessionVote, ACountOfAnotherRoundIsIgnored) {
 TEST(SessionRoundEnd, NamesTheNextLevelAsItCanBeSeenAndTheLastOneCounts) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   const std::uint64_t level = endlessLevel()->hash;
   receive(session, welcomeTo(*endlessLevel()));
   receive(session, RoundEnd{1, 10, level, "A\u200b  b", 300, LevelBest{7, "\u3164 Ann", true}});
@@ -223,7 +223,7 @@ TEST(SessionRoundEnd, TheNextRoundBeginsWithTheLeadOfTheLast) {
 
 // The request for the next level must not displace the text of the present one.
 TEST(SessionRoundEnd, TheNextLevelIsRequestedWhenThePresentOneHasCome) {
-  Session session("x", Moment(0));
+  Session session("x", Time(0));
   receive(session, welcomeTo(*endlessLevel()));
   receive(session, RoundEnd{1, 10, cornerLevel()->hash});
   EXPECT_TRUE(sentBy<LevelRequest>(session).empty());
@@ -238,7 +238,7 @@ TEST(SessionLevels, StoredLevelsAreAnnouncedAndNotRequested) {
   store->add(endlessLevel());
   store->add(cornerLevel());
   memory.store = store;
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   const std::vector<Hello> hello = sentBy<Hello>(session);
   ASSERT_EQ(hello.size(), 1u);
   EXPECT_EQ(hello[0].levels, (std::vector{endlessLevel()->hash, cornerLevel()->hash}));
@@ -257,7 +257,7 @@ TEST(SessionLevels, AnAnnouncedLevelThatIsLostIsRequested) {
   const auto store = std::make_shared<KeptLevels>();
   store->add(endlessLevel());
   memory.store = store;
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   store->levels.clear();
   receive(session, welcomeTo(*endlessLevel()));
   EXPECT_FALSE(session.round());
@@ -270,7 +270,7 @@ TEST(SessionLevels, AReceivedLevelIsStored) {
   Session::Memory memory;
   const auto store = std::make_shared<KeptLevels>();
   memory.store = store;
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   receive(session, welcomeTo(*endlessLevel()));
   receiveLevel(session, *endlessLevel());
   EXPECT_EQ(store->newest(8), std::vector{endlessLevel()->hash});
@@ -281,7 +281,7 @@ TEST(SessionLevels, ALevelIsTakenOnce) {
   Session::Memory memory;
   const auto store = std::make_shared<KeptLevels>();
   memory.store = store;
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   receive(session, welcomeTo(*endlessLevel()));
   for (int times = 0; times < 2; ++times) receiveLevel(session, *endlessLevel());
   EXPECT_EQ(store->newest(8).size(), 1u);
@@ -298,7 +298,7 @@ TEST(SessionLevels, AtMostAsManyLevelsAreAnnouncedAsAMessageHolds) {
   }
   memory.levels = {endlessLevel(), std::make_shared<Level>(*store->load(19))};
   memory.store = store;
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   const std::vector<Hello> hello = sentBy<Hello>(session);
   ASSERT_EQ(hello.size(), 1u);
   EXPECT_EQ(hello[0].levels.size(), kMaxLevelsKnown);

@@ -35,7 +35,7 @@ struct Gain {
   std::uint32_t jumps = 0;
 };
 
-Gain gainOf(SessionNetwork& match, std::size_t client, Moment duration) {
+Gain gainOf(SessionNetwork& match, std::size_t client, Time duration) {
   const PredictionStatistics before = match.session(client).predictionStatistics();
   const std::uint32_t jumps = match.session(client).round()->clock().jumps();
   match.run(duration);
@@ -160,12 +160,12 @@ TEST(Session, KeepsTheRoster) {
 }
 
 TEST(Session, ShowsOnlyVisibleCharactersOfTheServersTexts) {
-  Session session("x", Moment(0));
-  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
-  session.receive(encode(Roster{{{1, " A\u200bnn "}, {2, "\u3164"}}}), Moment(0));
+  Session session("x", Time(0));
+  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Time(0));
+  session.receive(encode(Roster{{{1, " A\u200bnn "}, {2, "\u3164"}}}), Time(0));
   EXPECT_EQ(session.names()[1], "Ann");
   EXPECT_EQ(session.names()[2], "");
-  session.receive(encode(Bye{ByeCode::kServerStops, "\u3164 why"}), Moment(0));
+  session.receive(encode(Bye{ByeCode::kServerStops, "\u3164 why"}), Time(0));
   ASSERT_TRUE(session.ending().has_value());
   EXPECT_EQ(session.ending()->reason, "the server ended the game: why");
 }
@@ -173,26 +173,26 @@ TEST(Session, ShowsOnlyVisibleCharactersOfTheServersTexts) {
 TEST(Session, ARoundIsOverWhenTheServerEndsIt) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   const std::uint64_t level = endlessLevel()->hash;
-  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
-  session.receive(encode(RoundEnd{7, 10, level}), Moment(0));
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Time(0));
+  session.receive(encode(RoundEnd{7, 10, level}), Time(0));
   EXPECT_FALSE(session.roundEnd()) << "another round";
-  session.receive(encode(RoundEnd{1, 10, level}), Moment(0));
+  session.receive(encode(RoundEnd{1, 10, level}), Time(0));
   EXPECT_TRUE(session.roundEnd());
-  session.receive(encode(RoundStart{2, level}), Moment(0));
+  session.receive(encode(RoundStart{2, level}), Time(0));
   EXPECT_FALSE(session.roundEnd());
 }
 
 TEST(Session, CountsTheDesyncsOfAllRounds) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};
-  Session session("x", Moment(0), memory);
+  Session session("x", Time(0), memory);
   const std::uint64_t level = endlessLevel()->hash;
-  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Time(0));
   for (std::uint32_t round = 1; round <= 3; ++round) {
-    session.receive(encode(ConfirmedTicks{round, 0, 1, 12345, std::nullopt, {}}), Moment(0));
-    session.receive(encode(RoundStart{round + 1, level}), Moment(0));
+    session.receive(encode(ConfirmedTicks{round, 0, 1, 12345, std::nullopt, {}}), Time(0));
+    session.receive(encode(RoundStart{round + 1, level}), Time(0));
   }
   EXPECT_EQ(session.roundStatistics().desyncs, 3u);
   EXPECT_EQ(session.predictionStatistics().confirmedTicks, 3u);
@@ -205,19 +205,19 @@ std::shared_ptr<const Level> levelOfNumber(std::size_t number) {
 
 void receiveLevel(Session& session, const Level& level) {
   const std::vector<std::uint8_t> text(level.text.begin(), level.text.end());
-  session.receive(encode(LevelChunk{level.hash, static_cast<std::uint32_t>(text.size()), 0, text}), Moment(0));
+  session.receive(encode(LevelChunk{level.hash, static_cast<std::uint32_t>(text.size()), 0, text}), Time(0));
 }
 
 // A level that comes makes good for its request, so no rotation is too long.
 TEST(Session, PlaysAnyNumberOfLevelsThatTheServerSends) {
-  Session session("x", Moment(0));
+  Session session("x", Time(0));
   constexpr std::uint32_t kLevels = 2 * KnownLevels::kMaxUnansweredRequests;
   for (std::uint32_t number = 1; number <= kLevels; ++number) {
     const std::shared_ptr<const Level> level = levelOfNumber(number);
     if (number == 1)
-      session.receive(encode(Welcome{0, 1, level->hash, 4, kTicksPerSecond, ""}), Moment(0));
+      session.receive(encode(Welcome{0, 1, level->hash, 4, kTicksPerSecond, ""}), Time(0));
     else
-      session.receive(encode(RoundStart{number, level->hash}), Moment(0));
+      session.receive(encode(RoundStart{number, level->hash}), Time(0));
     receiveLevel(session, *level);
     ASSERT_FALSE(session.ending().has_value()) << number << ": " << session.ending()->reason;
     ASSERT_TRUE(session.round());
@@ -226,27 +226,27 @@ TEST(Session, PlaysAnyNumberOfLevelsThatTheServerSends) {
 }
 
 TEST(Session, EndsOnRoundStartBeforeWelcome) {
-  Session session("x", Moment(0));
-  session.receive(encode(RoundStart{1, 2}), Moment(0));
+  Session session("x", Time(0));
+  session.receive(encode(RoundStart{1, 2}), Time(0));
   EXPECT_TRUE(session.ending().has_value());
 }
 
 TEST(Session, EndsIfTheServerNamesLevelsWithoutSendingThem) {
-  Session session("x", Moment(0));
-  session.receive(encode(Welcome{0, 1, 1, 4, kTicksPerSecond, ""}), Moment(0));
+  Session session("x", Time(0));
+  session.receive(encode(Welcome{0, 1, 1, 4, kTicksPerSecond, ""}), Time(0));
   for (std::uint32_t i = 1; i <= KnownLevels::kMaxUnansweredRequests; ++i) {
-    session.receive(encode(RoundStart{1 + i, 1 + i}), Moment(0));
+    session.receive(encode(RoundStart{1 + i, 1 + i}), Time(0));
     ASSERT_FALSE(session.ending().has_value());
   }
-  session.receive(encode(RoundStart{100, 100}), Moment(0));
+  session.receive(encode(RoundStart{100, 100}), Time(0));
   ASSERT_TRUE(session.ending().has_value());
   EXPECT_EQ(session.ending()->reason, "protocol error: the server names levels that it does not send");
 }
 
 TEST(Session, TimesOutWhenTheServerIsSilent) {
-  Session session("x", Moment(0));
+  Session session("x", Time(0));
   const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
-  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
+  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Time(0));
   session.update(Session::kTimeout, none);
   EXPECT_FALSE(session.ending().has_value());
   session.update(Session::kTimeout + milliseconds(1), none);
@@ -263,27 +263,27 @@ TEST(Session, EndsIfTheServerDemandsTooMuchComputation) {
   Session::Memory memory;
   memory.levels.push_back(endlessLevel());
   const std::uint64_t level = memory.levels[0]->hash;
-  Session session("x", Moment(0), memory);
-  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
-  for (std::uint32_t round = 2; round <= kRounds; ++round) session.receive(encode(RoundStart{round, level}), Moment(0));
-  session.update(Moment(0), none);
+  Session session("x", Time(0), memory);
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Time(0));
+  for (std::uint32_t round = 2; round <= kRounds; ++round) session.receive(encode(RoundStart{round, level}), Time(0));
+  session.update(Time(0), none);
   ASSERT_FALSE(session.ending().has_value());  // the budget is empty
-  session.receive(encode(RoundStart{kRounds + 1, level}), Moment(0));
-  session.update(Moment(0), none);
+  session.receive(encode(RoundStart{kRounds + 1, level}), Time(0));
+  session.update(Time(0), none);
   ASSERT_TRUE(session.ending().has_value());
   EXPECT_EQ(session.ending()->reason, "protocol error: the server demands more computation than a game needs");
   EXPECT_TRUE(session.ending()->permanent);
 }
 
 // Sends a session as many ticks before each update as it takes. Returns for how many updates it bears that.
-int updatesUntilEnd(Moment interval, int updates) {
+int updatesUntilEnd(Time interval, int updates) {
   const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
   Session::Memory memory;
   memory.levels.push_back(endlessLevel());
-  Session session("x", Moment(0), memory);
-  session.receive(encode(Welcome{0, 1, memory.levels[0]->hash, 4, kTicksPerSecond, ""}), Moment(0));
+  Session session("x", Time(0), memory);
+  session.receive(encode(Welcome{0, 1, memory.levels[0]->hash, 4, kTicksPerSecond, ""}), Time(0));
   for (int update = 1; update <= updates; ++update) {
-    const Moment now = update * interval;
+    const Time now = update * interval;
     session.update(now, none);
     if (session.ending()) return update;
     std::uint32_t tick = session.round()->prediction().confirmedTicks();

@@ -21,7 +21,7 @@ class SessionChat : public testing::Test {
     session_.takeOutgoing();
   }
 
-  void receive(const auto& message) { session_.receive(encode(message), Moment(0)); }
+  void receive(const auto& message) { session_.receive(encode(message), Time(0)); }
   std::vector<Chat> sent() {
     std::vector<Chat> found;
     for (const OutgoingMessage& message : session_.takeOutgoing()) {
@@ -32,27 +32,27 @@ class SessionChat : public testing::Test {
     return found;
   }
 
-  Session session_{"Ann", Moment(0)};
+  Session session_{"Ann", Time(0)};
 };
 
 TEST_F(SessionChat, ATextAndAnEmoteAreSent) {
-  EXPECT_TRUE(session_.say({"Hello", 0}, Moment(0)));
-  EXPECT_TRUE(session_.say({"", 2}, Moment(0)));
+  EXPECT_TRUE(session_.say({"Hello", 0}, Time(0)));
+  EXPECT_TRUE(session_.say({"", 2}, Time(0)));
   EXPECT_EQ(sent(), (std::vector<Chat>{{"Hello", 0}, {"", 2}}));
 }
 
 TEST_F(SessionChat, WhatTheServerWouldDropIsNotSent) {
-  for (int i = 0; i < 4; ++i) EXPECT_TRUE(session_.say({"a", 0}, Moment(0)));
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(session_.say({"a", 0}, Time(0)));
   EXPECT_FALSE(session_.say({"b", 0}, seconds(1)));
   EXPECT_TRUE(session_.say({"c", 0}, seconds(2)));
   EXPECT_EQ(sent().size(), 5U);
 }
 
 TEST_F(SessionChat, NothingIsSentBeforeWelcomeAndAfterTheEnd) {
-  Session early("Ben", Moment(0));
-  EXPECT_FALSE(early.say({"a", 0}, Moment(0)));
+  Session early("Ben", Time(0));
+  EXPECT_FALSE(early.say({"a", 0}, Time(0)));
   receive(Bye{ByeCode::kServerStops, ""});
-  EXPECT_FALSE(session_.say({"a", 0}, Moment(0)));
+  EXPECT_FALSE(session_.say({"a", 0}, Time(0)));
 }
 
 TEST_F(SessionChat, WhatPlayersSayIsTakenOnce) {
@@ -82,10 +82,10 @@ class SessionRoundTrips : public testing::Test {
     receive(Welcome{3, 1, 17, 4, kTicksPerSecond, "Test"});
     receive(Roster{{{1, "Ben"}, {3, "Ann"}}});
   }
-  void receive(const auto& message) { session_.receive(encode(message), Moment(0)); }
+  void receive(const auto& message) { session_.receive(encode(message), Time(0)); }
   std::optional<std::uint32_t> of(std::uint32_t slot) const { return session_.roundTripMs(slot, seconds(1)); }
 
-  Session session_{"Ann", Moment(0)};
+  Session session_{"Ann", Time(0)};
 };
 
 TEST_F(SessionRoundTrips, AreThoseThatTheServerTells) {
@@ -114,14 +114,14 @@ TEST_F(SessionRoundTrips, SlotsThatTheMatchDoesNotHaveAreIgnored) {
 }
 
 TEST_F(SessionRoundTrips, BeforeWelcomeNobodyHasOne) {
-  Session early("Ben", Moment(0));
-  early.receive(encode(RoundTrips{{9}}), Moment(0));
-  EXPECT_EQ(early.roundTripMs(0, Moment(0)), std::nullopt);
+  Session early("Ben", Time(0));
+  early.receive(encode(RoundTrips{{9}}), Time(0));
+  EXPECT_EQ(early.roundTripMs(0, Time(0)), std::nullopt);
   EXPECT_FALSE(early.ending());
 }
 
 TEST(Talk, ASlotHasTheRoundTripThatTheNewestMessageTells) {
-  Talk talk(Moment(0));
+  Talk talk(Time(0));
   talk.setSlots(4);
   talk.receive(Roster{{{0, "Ann"}, {1, "Ben"}, {2, "Cleo"}, {3, "Dan"}}}, seconds(1));
   EXPECT_EQ(talk.roundTripMs(0, seconds(1)), std::nullopt);
@@ -136,19 +136,19 @@ TEST(Talk, ASlotHasTheRoundTripThatTheNewestMessageTells) {
 }
 
 TEST(Talk, AnOldRoundTripIsForgotten) {
-  Talk talk(Moment(0));
+  Talk talk(Time(0));
   talk.setSlots(1);
-  talk.receive(Roster{{{0, "Ann"}}}, Moment(0));
+  talk.receive(Roster{{{0, "Ann"}}}, Time(0));
   talk.receive(RoundTrips{{codeOfRoundTrip(20)}}, seconds(1));
   EXPECT_EQ(talk.roundTripMs(0, seconds(1) + Talk::kRoundTripTimeout), 20u);
   EXPECT_EQ(talk.roundTripMs(0, seconds(1) + Talk::kRoundTripTimeout + microseconds(1)), std::nullopt);
 }
 
 TEST(Talk, ShowsOnlyWhatCanBeSeenOfANotice) {
-  Talk talk(Moment(0));
-  talk.receive(Notice{"a\xe2\x80\x8b  b"}, Moment(0));
+  Talk talk(Time(0));
+  talk.receive(Notice{"a\xe2\x80\x8b  b"}, Time(0));
   EXPECT_EQ(talk.takeNotice(), "a b");
-  talk.receive(Notice{"\xe2\x80\x8b"}, Moment(0));
+  talk.receive(Notice{"\xe2\x80\x8b"}, Time(0));
   EXPECT_EQ(talk.takeNotice(), std::nullopt);
 }
 

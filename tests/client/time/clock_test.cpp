@@ -11,7 +11,7 @@ using std::chrono::seconds;
 
 class PausableClockTest : public testing::Test {
  protected:
-  Moment source_ = seconds(100);
+  Time source_ = seconds(100);
   PausableClock clock_{[this] { return source_; }};
 };
 
@@ -65,7 +65,7 @@ TEST_F(PausableClockTest, RunsAtItsSpeedFromTheChangeOn) {
 }
 
 TEST_F(PausableClockTest, NeverGoesBackWhateverIsChanged) {
-  Moment last = clock_.now();
+  Time last = clock_.now();
   for (int i = 0; i < 1000; ++i) {
     source_ += std::chrono::microseconds(i * 37 % 1000);
     if (i % 3 == 0) clock_.setSpeed(0.5 + 0.05 * (i % 11));

@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Moment kStart = std::chrono::seconds(50);
+constexpr Time kStart = std::chrono::seconds(50);
 constexpr double kSlew = 0.05;
 constexpr double kJump = 30;
 

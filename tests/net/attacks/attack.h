@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "protocol/moment.h"
+#include "protocol/time.h"
 #include "tests/net/attacks/attack_network.h"
 
 namespace platon {
@@ -15,7 +15,7 @@ class Attacker {
  public:
   virtual ~Attacker() = default;
   /// Called every millisecond; sends at most about this many datagrams.
-  virtual void step(Moment now, int datagrams) = 0;
+  virtual void step(Time now, int datagrams) = 0;
 };
 
 /// A kind of attack on a server.
@@ -35,8 +35,8 @@ struct Attack {
   bool amplifies = false;
 };
 
-inline constexpr Moment kAmplifyingBegins = std::chrono::seconds(10);
-inline constexpr Moment kAmplifyingLasts = std::chrono::seconds(20);
+inline constexpr Time kAmplifyingBegins = std::chrono::seconds(10);
+inline constexpr Time kAmplifyingLasts = std::chrono::seconds(20);
 inline constexpr std::uint64_t kMaxAmplification = 4;
 
 /// All of them. The tests and `./platon bench --attacks` run the same.

@@ -39,7 +39,7 @@ AttackedServer::AttackedServer(std::unique_ptr<BufferedSocket> socket, const Ser
                                std::vector<LevelPointer> levels, Log log)
     : socket_(socket.get()), server_(std::move(socket), settings, std::move(levels), std::move(log)) {}
 
-void AttackedServer::tick(Moment now) {
+void AttackedServer::tick(Time now) {
   socket_->fetch(now);
   {
     const HeapGauge gauge(heap_);

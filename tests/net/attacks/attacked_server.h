@@ -24,7 +24,7 @@ class AttackedServer {
                  std::vector<LevelPointer> levels, Log log);
 
   /// Runs one tick.
-  void tick(Moment now);
+  void tick(Time now);
   /// Changes the server as its operator can.
   template <class Change>
   void change(Change change) {

@@ -18,7 +18,7 @@ class BufferedSocket : public DatagramSocket {
   explicit BufferedSocket(std::unique_ptr<DatagramSocket> inner) : inner_(std::move(inner)), sent_(kMaxSent) {}
 
   /// Fetches what has arrived.
-  void fetch(Moment now) {
+  void fetch(Time now) {
     arrived_.clear();
     next_ = 0;
     while (const auto datagram = inner_->receive(now)) {
@@ -27,7 +27,7 @@ class BufferedSocket : public DatagramSocket {
   }
   /// Passes on what was sent, and tells it to `note`.
   template <class Note>
-  void deliver(Moment now, Note note) {
+  void deliver(Time now, Note note) {
     for (const Sent& each : std::span(sent_).first(waiting_)) {
       const ByteSpan bytes = ByteSpan(each.bytes).first(each.size);
       note(each.receiver, bytes);
@@ -36,20 +36,20 @@ class BufferedSocket : public DatagramSocket {
     waiting_ = 0;
   }
 
-  std::optional<Datagram> receive(Moment) override {
+  std::optional<Datagram> receive(Time) override {
     if (next_ == arrived_.size()) return std::nullopt;
     const Arrived& datagram = arrived_[next_++];
     return Datagram{datagram.sender, datagram.bytes};
   }
   /// Beyond kMaxSent, datagrams are lost.
-  void send(const SocketAddress& receiver, ByteSpan bytes, Moment) override {
+  void send(const SocketAddress& receiver, ByteSpan bytes, Time) override {
     if (waiting_ == kMaxSent) return;
     Sent& datagram = sent_[waiting_++];
     datagram.receiver = receiver;
     datagram.size = bytes.size();
     std::copy(bytes.begin(), bytes.end(), datagram.bytes.begin());
   }
-  void flush(Moment) override {}
+  void flush(Time) override {}
   void wait(std::chrono::milliseconds) override {}
   SocketAddress address() const override { return inner_->address(); }
 

@@ -33,7 +33,7 @@ class Flood : public Attacker {
 
   Flood(AttackNetwork& network, Next next) : network_(network), next_(std::move(next)) {}
 
-  void step(Moment, int datagrams) override {
+  void step(Time, int datagrams) override {
     for (int i = 0; i < datagrams; ++i) next_(network_, dice_);
   }
 

@@ -3,8 +3,8 @@
 namespace platon {
 namespace {
 
-constexpr Moment kPause = std::chrono::milliseconds(100);  // between two attempts to join
-constexpr Moment kExtraInterval = std::chrono::milliseconds(10);
+constexpr Time kPause = std::chrono::milliseconds(100);  // between two attempts to join
+constexpr Time kExtraInterval = std::chrono::milliseconds(10);
 
 Bytes encodeAny(const ToServer& message) {
   return std::visit([](const auto& body) { return encode(body); }, message);
@@ -12,7 +12,7 @@ Bytes encodeAny(const ToServer& message) {
 
 }  // namespace
 
-void HostilePlayer::step(Moment now) {
+void HostilePlayer::step(Time now) {
   const bool ended =
       connection_ && (connection_->state() == Connection::State::kClosed || (session_ && session_->ending()));
   const bool tooOld = connection_ && now - since_ >= manners_.life;
@@ -26,7 +26,7 @@ void HostilePlayer::step(Moment now) {
   connection_->flush(now);
 }
 
-void HostilePlayer::begin(Moment now) {
+void HostilePlayer::begin(Time now) {
   if (session_ && manners_.leaves) {
     session_->leave();
     send();
@@ -38,7 +38,7 @@ void HostilePlayer::begin(Moment now) {
   since_ = now;
 }
 
-void HostilePlayer::receive(std::span<const std::uint8_t> message, Moment now) {
+void HostilePlayer::receive(std::span<const std::uint8_t> message, Time now) {
   if (!session_) return;
   session_->receive(message, now);
   const std::optional<ToClient> decoded = decodeToClient(message);
@@ -46,7 +46,7 @@ void HostilePlayer::receive(std::span<const std::uint8_t> message, Moment now) {
   if (welcome != nullptr) welcome_ = *welcome;
 }
 
-void HostilePlayer::play(Moment now) {
+void HostilePlayer::play(Time now) {
   session_->update(now, [this] { return presser_.next(); });
   send();
   if (!manners_.extra || !welcome_ || now - extraAt_ < kExtraInterval) return;

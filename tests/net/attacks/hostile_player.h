@@ -16,8 +16,8 @@ namespace platon {
 struct Manners {
   std::function<void(ToServer&, AttackNetwork&, Dice&)> tamper;   ///< changes a message before it is sent
   std::function<void(Connection&, const Welcome&, Dice&)> extra;  ///< sends more; every 10 ms
-  Moment life = std::chrono::hours(1);                            ///< then it vanishes and joins again
-  std::optional<Moment> deafAfter{};                              ///< from then on it reads and acknowledges nothing
+  Time life = std::chrono::hours(1);                              ///< then it vanishes and joins again
+  std::optional<Time> deafAfter{};                                ///< from then on it reads and acknowledges nothing
   bool leaves = false;                                            ///< says so before it vanishes
 };
 
@@ -27,12 +27,12 @@ class HostilePlayer {
   HostilePlayer(AttackNetwork& network, const IpAddress& own, const Manners& manners, std::uint64_t seed)
       : network_(network), own_(own), manners_(manners), presser_(seed), name_("mallory " + std::to_string(seed)) {}
 
-  void step(Moment now);
+  void step(Time now);
 
  private:
-  void begin(Moment now);
-  void receive(std::span<const std::uint8_t> message, Moment now);
-  void play(Moment now);
+  void begin(Time now);
+  void receive(std::span<const std::uint8_t> message, Time now);
+  void play(Time now);
   void send();
 
   AttackNetwork& network_;
@@ -44,8 +44,8 @@ class HostilePlayer {
   std::optional<Connection> connection_;
   std::optional<HollowSession> session_;  // once connected
   std::optional<Welcome> welcome_;
-  Moment since_{};
-  Moment extraAt_{};
+  Time since_{};
+  Time extraAt_{};
 };
 
 }  // namespace platon

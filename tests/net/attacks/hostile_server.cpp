@@ -19,7 +19,7 @@ HostileServer::HostileServer()
       client_(std::unique_ptr<DatagramSocket>(clientSocket_), {kServer}, {}) {}
 
 void HostileServer::run(std::chrono::milliseconds time, const Attack& attack) {
-  for (const Moment end = now_ + time; now_ < end && !(session_ && session_->ending());) step(attack);
+  for (const Time end = now_ + time; now_ < end && !(session_ && session_->ending());) step(attack);
 }
 
 void HostileServer::step(const Attack& attack) {

@@ -54,7 +54,7 @@ class HostileServer {
   void updateClient();
 
   DatagramNetwork network_;
-  Moment now_ = std::chrono::seconds(1000);
+  Time now_ = std::chrono::seconds(1000);
   Host host_;
   BufferedSocket* clientSocket_;  // client_ owns it
   Connection client_;

@@ -16,12 +16,12 @@ class HostileSession::MaskedSocket : public DatagramSocket {
  public:
   MaskedSocket(AttackNetwork& network, const IpAddress& own) : network_(network), own_(network.socket(own)) {}
 
-  std::optional<Datagram> receive(Moment now) override { return own_->receive(now); }
-  void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override {
+  std::optional<Datagram> receive(Time now) override { return own_->receive(now); }
+  void send(const SocketAddress& receiver, ByteSpan bytes, Time now) override {
     if (mask_) return network_.send(*mask_, bytes);
     if (!left_) own_->send(receiver, bytes, now);
   }
-  void flush(Moment now) override { own_->flush(now); }
+  void flush(Time now) override { own_->flush(now); }
   void wait(std::chrono::milliseconds timeout) override { own_->wait(timeout); }
   SocketAddress address() const override { return own_->address(); }
   void setMask(const std::optional<SocketAddress>& mask) { mask_ = mask; }
@@ -45,7 +45,7 @@ HostileSession::HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSoc
 
 HostileSession::~HostileSession() = default;
 
-void HostileSession::step(Moment now) {
+void HostileSession::step(Time now) {
   gate_.update(now);
   while (const std::optional<Bytes> content = gate_.receive(now)) {
     note(*content, now);
@@ -60,7 +60,7 @@ void HostileSession::step(Moment now) {
 
 // The server's number of the connection follows the command header of VERIFY_CONNECT; ENet's session number follows in
 // the head of what is sent to it.
-void HostileSession::note(const Bytes& content, Moment now) {
+void HostileSession::note(const Bytes& content, Time now) {
   const std::size_t at = kCommandAt;
   if (peer_ || content.size() < at + 8) return;
   if ((content[at] & ENET_PROTOCOL_COMMAND_MASK) != ENET_PROTOCOL_COMMAND_VERIFY_CONNECT) return;
@@ -69,7 +69,7 @@ void HostileSession::note(const Bytes& content, Moment now) {
   send(acknowledgeContent(*peer_, 1, kNoChannel, sentTimeOf(content)), now);
 }
 
-void HostileSession::sendFrom(const SocketAddress& name, ByteSpan content, Moment now) {
+void HostileSession::sendFrom(const SocketAddress& name, ByteSpan content, Time now) {
   socket_->setMask(name);
   send(content, now);
   socket_->setMask(std::nullopt);

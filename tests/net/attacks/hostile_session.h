@@ -20,13 +20,13 @@ class HostileSession {
   ~HostileSession();
 
   /// Goes on with the handshake, then with that of ENet.
-  void step(Moment now);
+  void step(Time now);
   bool isSealed() const { return gate_.state() == ClientGate::State::kOpen; }
   /// The server's number of the connection; nothing before ENet's handshake.
   std::optional<std::uint16_t> peer() const { return peer_; }
-  void send(ByteSpan content, Moment now) { gate_.send(content, now); }
+  void send(ByteSpan content, Time now) { gate_.send(content, now); }
   /// The same in the name of another address.
-  void sendFrom(const SocketAddress& name, ByteSpan content, Moment now);
+  void sendFrom(const SocketAddress& name, ByteSpan content, Time now);
   /// From now on it sends nothing but in other names, and answers no challenge.
   void leaveAddress();
   /// Goes on from another address of the attacker's own, and answers challenges there.
@@ -36,7 +36,7 @@ class HostileSession {
   class MaskedSocket;
 
   HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSocket> socket, Receiver receiver);
-  void note(const Bytes& content, Moment now);
+  void note(const Bytes& content, Time now);
 
   MaskedSocket* socket_;
   ClientGate gate_;

@@ -18,7 +18,7 @@ constexpr std::size_t kPlayers = 4 * kOwnHouseholds;  // as many as may play fro
 constexpr std::size_t kCrowd = 64;
 constexpr std::size_t kVoters = 3;  // fewer than the players attacked, who are no fewer than half then
 constexpr std::size_t kDeaf = 3 * kOwnHouseholds;
-constexpr Moment kShortLife = milliseconds(100);
+constexpr Time kShortLife = milliseconds(100);
 
 /// Hostile players in four households.
 class PlayerAttack : public Attacker {
@@ -30,7 +30,7 @@ class PlayerAttack : public Attacker {
     }
   }
 
-  void step(Moment now, int) override {
+  void step(Time now, int) override {
     for (const auto& player : players_) player->step(now);
   }
 
@@ -52,7 +52,7 @@ class FalseAcknowledger {
   FalseAcknowledger(AttackNetwork& network, const IpAddress& own, Kind kind)
       : network_(network), own_(own), kind_(kind) {}
 
-  void step(Moment now) {
+  void step(Time now) {
     now_ = now;
     if (!session_ || now - since_ >= kLife) begin(now);
     session_->step(now);
@@ -63,12 +63,12 @@ class FalseAcknowledger {
   }
 
  private:
-  static constexpr Moment kLife = milliseconds(10500);  // a little more than it lasts if it acknowledges nothing
-  static constexpr Moment kInterval = milliseconds(250);
+  static constexpr Time kLife = milliseconds(10500);  // a little more than it lasts if it acknowledges nothing
+  static constexpr Time kInterval = milliseconds(250);
   static constexpr std::uint16_t kNeverSent = 40000;
   static constexpr std::uint16_t kFirstMessages = 8;
 
-  void begin(Moment now) {
+  void begin(Time now) {
     saidHello_ = false;
     welcome_.reset();
     requested_ = false;
@@ -76,12 +76,12 @@ class FalseAcknowledger {
     session_.emplace(network_, own_, [this](const Bytes& content) { receive(content); });
   }
 
-  void sayHello(Moment now) {
+  void sayHello(Time now) {
     saidHello_ = true;
     session_->send(reliableContent(*session_->peer(), 1, encode(Hello{})), now);
   }
 
-  void speak(Moment now) {
+  void speak(Time now) {
     PlayerInputs inputs{.round = welcome_->round};
     inputs.hash = 0x5a5a5a5a;
     inputs.inputs.assign(1, Input{Input::kPresent | Input::kJump});
@@ -147,10 +147,10 @@ class FalseAcknowledger {
   std::optional<Welcome> welcome_;
   bool requested_ = false;       // the level
   std::uint16_t heardTime_ = 0;  // of the server, in the last content that has one
-  Moment heardAt_{};
-  Moment now_{};
-  Moment since_{};
-  Moment spokeAt_{};
+  Time heardAt_{};
+  Time now_{};
+  Time since_{};
+  Time spokeAt_{};
   Dice dice_;
 };
 
@@ -163,7 +163,7 @@ class FalseAcknowledgers : public Attacker {
     }
   }
 
-  void step(Moment now, int) override {
+  void step(Time now, int) override {
     for (const auto& player : players_) player->step(now);
   }
 
@@ -180,7 +180,7 @@ class Wanderer {
     for (int i = 0; i < number; ++i) dice_.below(1);
   }
 
-  void step(Moment now) {
+  void step(Time now) {
     if (!session_ || now - since_ >= (plays_ ? kLife : kPatience)) begin(now);
     session_->step(now);
     if (!session_->peer() || now - movedAt_ < kInterval) return;
@@ -194,14 +194,14 @@ class Wanderer {
   }
 
  private:
-  static constexpr Moment kLife = seconds(2);
-  static constexpr Moment kPatience = seconds(1);
-  static constexpr Moment kInterval = milliseconds(500);
+  static constexpr Time kLife = seconds(2);
+  static constexpr Time kPatience = seconds(1);
+  static constexpr Time kInterval = milliseconds(500);
 
   IpAddress anyHousehold() { return ownAddress(network_.version(), dice_.below(kOwnHouseholds)); }
 
   // Its old session ends at once, or there would be no room for the new one; its player stays.
-  void begin(Moment now) {
+  void begin(Time now) {
     if (session_ && session_->peer()) session_->send(disconnectContent(*session_->peer()), now);
     saidHello_ = plays_ = false;
     since_ = now;
@@ -219,8 +219,8 @@ class Wanderer {
   std::optional<HostileSession> session_;
   bool saidHello_ = false;
   bool plays_ = false;
-  Moment since_{};
-  Moment movedAt_{};
+  Time since_{};
+  Time movedAt_{};
   Dice dice_;
 };
 
@@ -233,7 +233,7 @@ class Wanderers : public Attacker {
     }
   }
 
-  void step(Moment now, int) override {
+  void step(Time now, int) override {
     for (const auto& wanderer : wanderers_) wanderer->step(now);
   }
 

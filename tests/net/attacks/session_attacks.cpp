@@ -12,7 +12,7 @@ namespace platon {
 namespace {
 
 constexpr auto kOwnVersion = static_cast<std::uint16_t>(kProtocolVersion);
-constexpr Moment kSessionLife = std::chrono::seconds(2);
+constexpr Time kSessionLife = std::chrono::seconds(2);
 constexpr std::size_t kOpenSessions = 64;
 
 /// Sends Open with the right cookie and an invented proof of the password, from addresses that answer.
@@ -25,7 +25,7 @@ class PasswordGuesser : public Attacker {
     for (Hand& hand : hands_) dice_.fill(hand.key);
   }
 
-  void step(Moment now, int datagrams) override {
+  void step(Time now, int datagrams) override {
     for (Hand& hand : hands_) listen(hand, now);
     for (int i = 0; i < datagrams; ++i) guess(hands_[static_cast<std::size_t>(i) % hands_.size()], now);
     for (Hand& hand : hands_) hand.socket->flush(now);
@@ -38,13 +38,13 @@ class PasswordGuesser : public Attacker {
     std::optional<Cookie> cookie;
   };
 
-  static void listen(Hand& hand, Moment now) {
+  static void listen(Hand& hand, Time now) {
     while (const auto datagram = hand.socket->receive(now)) {
       if (const auto reply = decodeCookieReply(datagram->bytes)) hand.cookie = reply->cookie;
     }
   }
 
-  void guess(Hand& hand, Moment now) {
+  void guess(Hand& hand, Time now) {
     if (!hand.cookie) return hand.socket->send(server_, encode(Knock{kOwnVersion, hand.key}), now);
     Open open{*hand.cookie, {}};
     dice_.fill(open.exchange);
@@ -62,7 +62,7 @@ class SessionOpener : public Attacker {
  public:
   explicit SessionOpener(AttackNetwork& network) : network_(network) { sessions_.resize(kOpenSessions); }
 
-  void step(Moment now, int) override {
+  void step(Time now, int) override {
     sessions_[next_] =
         std::make_unique<ClientGate>(network_.socket(ownAddress(network_.version(), static_cast<int>(next_))),
                                      std::vector{network_.server()}, ServerKnowledge{}, KeyPair::random());
@@ -73,7 +73,7 @@ class SessionOpener : public Attacker {
   }
 
  private:
-  static void advance(ClientGate& session, Moment now) {
+  static void advance(ClientGate& session, Time now) {
     session.update(now);
     session.receive(now);
     session.flush(now);
@@ -87,11 +87,11 @@ class SessionOpener : public Attacker {
 /// Has a session in each of its households, begins it again every two seconds, and sends what `next` does.
 class SessionFlood : public Attacker {
  public:
-  using Next = std::function<void(HostileSession&, Dice&, std::uint32_t number, Moment now)>;
+  using Next = std::function<void(HostileSession&, Dice&, std::uint32_t number, Time now)>;
 
   SessionFlood(AttackNetwork& network, Next next) : network_(network), next_(std::move(next)) {}
 
-  void step(Moment now, int datagrams) override {
+  void step(Time now, int datagrams) override {
     if (sessions_.empty() || now - since_ >= kSessionLife) restart(now);
     for (const auto& session : sessions_) session->step(now);
     for (int i = 0; i < datagrams; ++i) {
@@ -103,7 +103,7 @@ class SessionFlood : public Attacker {
   }
 
  private:
-  void restart(Moment now) {
+  void restart(Time now) {
     since_ = now;
     sessions_.clear();
     for (int i = 0; i < kOwnHouseholds; ++i) {
@@ -114,7 +114,7 @@ class SessionFlood : public Attacker {
   AttackNetwork& network_;
   Next next_;
   std::vector<std::unique_ptr<HostileSession>> sessions_;
-  Moment since_{};
+  Time since_{};
   Dice dice_;
   std::uint32_t number_ = 0;
   int begun_ = 0;  // sessions
@@ -127,19 +127,19 @@ std::unique_ptr<Attacker> guessPasswords(AttackNetwork& network) { return std::m
 std::unique_ptr<Attacker> openSessions(AttackNetwork& network) { return std::make_unique<SessionOpener>(network); }
 
 std::unique_ptr<Attacker> sendHostileContents(AttackNetwork& network) {
-  return std::make_unique<SessionFlood>(network, [](HostileSession& session, Dice&, std::uint32_t number, Moment now) {
+  return std::make_unique<SessionFlood>(network, [](HostileSession& session, Dice&, std::uint32_t number, Time now) {
     session.send(hostileContent(*session.peer(), number), now);
   });
 }
 
 std::unique_ptr<Attacker> sendExcess(AttackNetwork& network) {
-  return std::make_unique<SessionFlood>(network, [](HostileSession& session, Dice&, std::uint32_t, Moment now) {
+  return std::make_unique<SessionFlood>(network, [](HostileSession& session, Dice&, std::uint32_t, Time now) {
     session.send(pingContent(*session.peer()), now);
   });
 }
 
 std::unique_ptr<Attacker> roam(AttackNetwork& network) {
-  return std::make_unique<SessionFlood>(network, [&](HostileSession& session, Dice& dice, std::uint32_t, Moment now) {
+  return std::make_unique<SessionFlood>(network, [&](HostileSession& session, Dice& dice, std::uint32_t, Time now) {
     session.sendFrom(anyStranger(network, dice), pingContent(*session.peer()), now);
   });
 }

@@ -76,7 +76,7 @@ class TrafficSecrecyTest : public testing::Test {
   }
 
   DatagramNetwork network_;
-  Moment now_ = std::chrono::seconds(1000);
+  Time now_ = std::chrono::seconds(1000);
   Host host_{network_.socket(kServer), ServerIdentity::random(), {}, now_};
   Connection client_{network_.socket(kClient), {kServer}, {}};
   std::vector<Bytes> heard_;

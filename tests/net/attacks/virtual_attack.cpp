@@ -16,11 +16,11 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 // Until the attack begins. Clients need some seconds to find the smallest lead without missed inputs.
-constexpr Moment kWarmUp = seconds(12);
-constexpr Moment kAttack = seconds(4);
-constexpr Moment kNewcomer = seconds(1);  // after the begin of the attack
-constexpr Moment kFrame = milliseconds(4);
-constexpr Moment kTick = microseconds(16667);
+constexpr Time kWarmUp = seconds(12);
+constexpr Time kAttack = seconds(4);
+constexpr Time kNewcomer = seconds(1);  // after the begin of the attack
+constexpr Time kFrame = milliseconds(4);
+constexpr Time kTick = microseconds(16667);
 constexpr int kDatagramsPerStep = 20;
 constexpr std::size_t kHonest = 4;
 
@@ -83,7 +83,7 @@ class HonestPlayer {
         name_("honest " + std::to_string(number)),
         controls_(pressing(static_cast<std::uint64_t>(number))) {}
 
-  void update(Moment now) {
+  void update(Time now) {
     connection_.service(now, [&](std::span<const std::uint8_t> message) {
       if (session_) session_->receive(message, now);
     });
@@ -142,8 +142,8 @@ class Scene {
   Damage run() {
     run(kNewcomer);
     addPlayer();
-    const Moment since = now_;
-    for (const Moment end = now_ + kAttack - kNewcomer; now_ < end;) {
+    const Time since = now_;
+    for (const Time end = now_ + kAttack - kNewcomer; now_ < end;) {
       step();
       if (!damage_.joinTime && players_.back().hasJoined()) damage_.joinTime = now_ - since;
     }
@@ -159,8 +159,8 @@ class Scene {
     if (players_.size() <= kHonest) attackNetwork_.addVictim(own);
   }
 
-  void run(Moment duration) {
-    for (const Moment end = now_ + duration; now_ < end;) step();
+  void run(Time duration) {
+    for (const Time end = now_ + duration; now_ < end;) step();
   }
 
   void amplify() {
@@ -230,9 +230,9 @@ class Scene {
   std::string password_;
   IpVersion version_;
   SocketAddress serverSocket_{serverAddress(version_), 7777};
-  Moment now_ = steadyClock().now();  // where the clock of the server begins
-  Moment nextFrame_ = now_;
-  Moment nextTick_ = now_;
+  Time now_ = steadyClock().now();  // where the clock of the server begins
+  Time nextFrame_ = now_;
+  Time nextTick_ = now_;
   DatagramNetwork network_;
   AttackedServer server_;
   VirtualAttackNetwork attackNetwork_;

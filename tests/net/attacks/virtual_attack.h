@@ -15,7 +15,7 @@ struct Damage {
   std::uint64_t missedInputs = 0;                 ///< of these ticks, those for which their input came too late
   int disconnected = 0;                           ///< honest players whose connection or session ended
   std::uint64_t desyncs = 0;                      ///< of honest players
-  std::optional<Moment> joinTime;                 ///< of a newcomer during the attack; nothing: it has not joined
+  std::optional<Time> joinTime;                   ///< of a newcomer during the attack; nothing: it has not joined
   std::int64_t heapGrowth = 0;                    ///< of the server, bytes, while the attack ran
   std::size_t maxPlayers = 0;                     ///< largest number of connected players
   std::uint32_t rounds = 0;                       ///< that the server has started

@@ -30,7 +30,7 @@ class Racer : public Attacker {
   }
   ~Racer() override { network_.setEar({}); }
 
-  void step(Moment, int) override {}
+  void step(Time, int) override {}
 
  private:
   static constexpr int kCopies = 10;

@@ -18,8 +18,8 @@ using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 20261122;
 constexpr std::size_t kPlayers = 16;
-constexpr Moment kSettling = seconds(10);
-constexpr Moment kMeasured = seconds(12);
+constexpr Time kSettling = seconds(10);
+constexpr Time kMeasured = seconds(12);
 
 // Totals of all players.
 struct Counts {

@@ -31,7 +31,7 @@ class Voter {
   const Session* session() const { return client_.session(); }
 
  private:
-  static Moment now() { return steadyClock().now(); }
+  static Time now() { return steadyClock().now(); }
 
   NetworkClient client_;
 };

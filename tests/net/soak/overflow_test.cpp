@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 const SocketAddress kServer = addressAt("198.51.100.1", 7777);
 const SocketAddress kClient = addressAt("192.0.2.1", 4000);
-constexpr Moment kOverflow = milliseconds(std::int64_t{1} << 32);
+constexpr Time kOverflow = milliseconds(std::int64_t{1} << 32);
 constexpr std::uint32_t kMessages = 70'000;  // of each kind and direction
 
 Bytes messageOf(std::uint32_t number) {
@@ -69,7 +69,7 @@ class OverflowTest : public testing::Test {
   }
 
   DatagramNetwork network_;
-  Moment now_ = kOverflow - std::chrono::seconds(100);
+  Time now_ = kOverflow - std::chrono::seconds(100);
   Host host_{network_.socket(kServer), ServerIdentity::random(), {}, now_};
   Connection client_{network_.socket(kClient), {kServer}, {}};
   std::optional<ClientId> joined_;

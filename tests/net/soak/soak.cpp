@@ -19,19 +19,19 @@ constexpr std::uint8_t kHollowBots = 32;
 constexpr std::uint8_t kPlayingBots = 2;
 constexpr std::uint8_t kLossyBots = 4;
 constexpr double kLoss = 0.05;
-constexpr Moment kHour = std::chrono::hours(1);
-constexpr Moment kGathering = seconds(12);  // before a roll call
+constexpr Time kHour = std::chrono::hours(1);
+constexpr Time kGathering = seconds(12);  // before a roll call
 // A client runs half a tick after the server.
-constexpr Moment kClientDelay = std::chrono::microseconds(8333);
-constexpr Moment kTick = std::chrono::microseconds(16667);
+constexpr Time kClientDelay = std::chrono::microseconds(8333);
+constexpr Time kTick = std::chrono::microseconds(16667);
 constexpr std::size_t kMaxWarnings = 20;
 
 const SocketAddress kServer = addressAt("198.51.100.1", 7777);
 
 // ENet counts 32 bits of milliseconds. They overflow five minutes after the start.
-Moment startOfTime() {
-  constexpr Moment kSpan = std::chrono::milliseconds(std::int64_t{1} << 32);
-  constexpr Moment kBefore = minutes(5);
+Time startOfTime() {
+  constexpr Time kSpan = std::chrono::milliseconds(std::int64_t{1} << 32);
+  constexpr Time kBefore = minutes(5);
   return ((steadyClock().now() + kBefore) / kSpan + 1) * kSpan - kBefore;
 }
 
@@ -86,7 +86,7 @@ bool Soak::deliver(const DatagramNetwork::Sent& datagram) {
 }
 
 SoakReport Soak::run(const std::function<void(const SoakReport&)>& note) {
-  Moment nextNote = kHour;
+  Time nextNote = kHour;
   while (elapsed_ < plan_.length()) {
     step();
     if (elapsed_ < nextNote) continue;
@@ -100,7 +100,7 @@ SoakReport Soak::run(const std::function<void(const SoakReport&)>& note) {
 
 void Soak::step() {
   ++steps_;
-  elapsed_ = Moment((steps_ * 1'000'000 + kTicksPerSecond - 1) / kTicksPerSecond);
+  elapsed_ = Time((steps_ * 1'000'000 + kTicksPerSecond - 1) / kTicksPerSecond);
   endRounds();
   server_->tick(start_ + elapsed_);
   countMissedInputs();
@@ -115,14 +115,14 @@ bool Soak::isIdle() const { return elapsed_ >= plan_.shortRounds && elapsed_ < p
 
 SoakBot::Order Soak::orderNow() const {
   if (isIdle()) return SoakBot::Order::kLeave;
-  const Moment toRollCall = plan_.rollCall - elapsed_ % plan_.rollCall;
+  const Time toRollCall = plan_.rollCall - elapsed_ % plan_.rollCall;
   return toRollCall <= kGathering ? SoakBot::Order::kGather : SoakBot::Order::kRoam;
 }
 
 // As an operator does who reloads the levels and calls `next`.
 void Soak::endRounds() {
   if (elapsed_ >= plan_.shortRounds || elapsed_ < nextRound_) return;
-  nextRound_ = elapsed_ + seconds(8) + Moment(static_cast<Moment::rep>(random_() % 30'000'000));
+  nextRound_ = elapsed_ + seconds(8) + Time(static_cast<Time::rep>(random_() % 30'000'000));
   const bool reloads = random_() % 16 == 0;
   server_->change([reloads](DedicatedServer& server) {
     if (reloads) server.setLevels(manyLevels());

@@ -18,18 +18,18 @@ namespace platon {
 
 /// What happens in a soak, one after the other.
 struct SoakPlan {
-  Moment shortRounds;  ///< the operator ends each round after some seconds
-  Moment idle;         ///< all players leave
-  Moment longRounds;   ///< rounds end by themselves, after five minutes at most
-  Moment rollCall;  ///< time from one roll call to the next: all players come, stay for some seconds, and are counted
+  Time shortRounds;  ///< the operator ends each round after some seconds
+  Time idle;         ///< all players leave
+  Time longRounds;   ///< rounds end by themselves, after five minutes at most
+  Time rollCall;     ///< time from one roll call to the next: all players come, stay for some seconds, and are counted
 
-  Moment idleEnd() const { return shortRounds + idle; }
-  Moment length() const { return shortRounds + idle + longRounds; }
+  Time idleEnd() const { return shortRounds + idle; }
+  Time length() const { return shortRounds + idle + longRounds; }
 };
 
 /// What a soak has shown.
 struct SoakReport {
-  Moment simulated{};
+  Time simulated{};
   std::uint64_t ticks = 0;
   std::uint64_t rounds = 0;
   std::uint32_t longestRound = 0;  ///< ticks
@@ -74,12 +74,12 @@ class Soak {
   SoakPlan plan_;
   DatagramNetwork network_;
   std::vector<std::unique_ptr<SoakBot>> bots_;
-  Moment start_;
-  Moment elapsed_{};
+  Time start_;
+  Time elapsed_{};
   std::int64_t steps_ = 0;
   std::unique_ptr<AttackedServer> server_;
   std::mt19937_64 random_{1};
-  Moment nextRound_{};                      // when the operator ends one
+  Time nextRound_{};                        // when the operator ends one
   std::uint32_t lastTick_ = 0;              // of the game
   std::optional<std::int64_t> serverHeap_;  // at the first roll call
   std::int64_t processHeap_ = 0;

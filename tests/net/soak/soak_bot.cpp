@@ -9,11 +9,11 @@ namespace {
 using std::chrono::seconds;
 
 // For joining, also with loss.
-constexpr Moment kJoinTime = seconds(8);
+constexpr Time kJoinTime = seconds(8);
 // For leaving, as our programs wait for it. With loss it may not suffice; the server then notices the silence.
-constexpr Moment kFarewellTime = std::chrono::milliseconds(500);
+constexpr Time kFarewellTime = std::chrono::milliseconds(500);
 // The server keeps a disconnected player for at least this long.
-constexpr Moment kResumable = seconds(60);
+constexpr Time kResumable = seconds(60);
 constexpr std::uint16_t kFirstPort = 5000;
 constexpr std::uint16_t kPorts = 8;
 
@@ -39,9 +39,9 @@ SoakBot::SoakBot(DatagramNetwork& network, const SocketAddress& server, std::uin
   memory_.token = tokenOf(number_, 0);
 }
 
-Moment SoakBot::between(int lowSeconds, int highSeconds) {
+Time SoakBot::between(int lowSeconds, int highSeconds) {
   const auto span = static_cast<std::uint64_t>(highSeconds - lowSeconds) * 1'000'000;
-  return seconds(lowSeconds) + Moment(static_cast<Moment::rep>(random_() % span));
+  return seconds(lowSeconds) + Time(static_cast<Time::rep>(random_() % span));
 }
 
 bool SoakBot::passes(const SocketAddress& own) {
@@ -49,7 +49,7 @@ bool SoakBot::passes(const SocketAddress& own) {
   return kind_.loss == 0 || static_cast<double>(random_() % 10'000) >= kind_.loss * 10'000;
 }
 
-void SoakBot::update(Moment now, Order order) {
+void SoakBot::update(Time now, Order order) {
   if (!connection_) {
     if (order == Order::kGather || (order == Order::kRoam && now >= nextMove_)) connect(now);
     return;
@@ -59,14 +59,14 @@ void SoakBot::update(Moment now, Order order) {
   if (connection_) exchange(now);
 }
 
-void SoakBot::connect(Moment now) {
+void SoakBot::connect(Time now) {
   ++connections_;
   if (slot_ && now >= resumableUntil_) forget();
   connection_.emplace(network_.socket(addressOf(number_, connections_)), std::vector{server_}, ServerKnowledge{});
   since_ = now;
 }
 
-void SoakBot::exchange(Moment now) {
+void SoakBot::exchange(Time now) {
   connection_->service(now, [&](std::span<const std::uint8_t> message) {
     if (client_) client_->receive(message, now);
   });
@@ -86,7 +86,7 @@ void SoakBot::send(const OutgoingMessage& message) {
   if (decoded && std::holds_alternative<PlayerInputs>(*decoded)) inputs_.sent(std::get<PlayerInputs>(*decoded));
 }
 
-void SoakBot::startSession(Moment now) {
+void SoakBot::startSession(Time now) {
   const std::uint64_t seed = random_();
   inputs_ = InputCheck();
   client_ = kind_.isHollow ? makeHollowClient(name_, memory_, seed, kind_.isRestless, now)
@@ -103,7 +103,7 @@ void SoakBot::noteJoined() {
   slot_ = slot;
 }
 
-void SoakBot::checkSession(Moment now) {
+void SoakBot::checkSession(Time now) {
   const bool isClosed = connection_->state() == Connection::State::kClosed;
   const bool isLate = now - since_ > (leaving_ ? kFarewellTime : kJoinTime);
   if (leaving_) {
@@ -119,7 +119,7 @@ void SoakBot::checkSession(Moment now) {
   noteJoined();
 }
 
-void SoakBot::depart(Moment now, bool politely) {
+void SoakBot::depart(Time now, bool politely) {
   if (politely || random_() % 2 == 0) {
     ++counts_.leaves;
     leaving_ = true;
@@ -135,7 +135,7 @@ void SoakBot::depart(Moment now, bool politely) {
 }
 
 // The connection ends without a word.
-void SoakBot::drop(Moment now) {
+void SoakBot::drop(Time now) {
   longestTraffic_ = longestTraffic();
   if (client_) client_->remember(memory_);
   client_.reset();
@@ -159,7 +159,7 @@ std::uint64_t SoakBot::corrections() const {
   return (session ? session->predictionStatistics() : memory_.game.prediction).corrections;
 }
 
-void SoakBot::leave(Moment now) {
+void SoakBot::leave(Time now) {
   drop(now);
   forget();
 }

@@ -52,7 +52,7 @@ class SoakBot {
   /// `number`: 1 … 254, the last byte of its address.
   SoakBot(DatagramNetwork& network, const SocketAddress& server, std::uint8_t number, const Kind& kind);
 
-  void update(Moment now, Order order);
+  void update(Time now, Order order);
 
   /// Whether a datagram from or to this address of the bot is delivered.
   bool passes(const SocketAddress& own);
@@ -79,18 +79,18 @@ class SoakBot {
  private:
   static constexpr std::size_t kMaxFaults = 4;
 
-  void connect(Moment now);
-  void exchange(Moment now);
+  void connect(Time now);
+  void exchange(Time now);
   void send(const OutgoingMessage& message);
-  void startSession(Moment now);
+  void startSession(Time now);
   void noteJoined();
-  void checkSession(Moment now);
-  void depart(Moment now, bool politely);
-  void drop(Moment now);
-  void leave(Moment now);
+  void checkSession(Time now);
+  void depart(Time now, bool politely);
+  void drop(Time now);
+  void leave(Time now);
   void forget();
   void fault(const std::string& what);
-  Moment between(int lowSeconds, int highSeconds);
+  Time between(int lowSeconds, int highSeconds);
 
   DatagramNetwork& network_;
   SocketAddress server_;
@@ -106,9 +106,9 @@ class SoakBot {
   bool leaving_ = false;
   bool hasJoined_ = false;             // in this session
   std::optional<std::uint32_t> slot_;  // of the player to resume
-  Moment resumableUntil_{};
-  Moment since_{};     // when it began to connect
-  Moment nextMove_{};  // when it comes or goes
+  Time resumableUntil_{};
+  Time since_{};     // when it began to connect
+  Time nextMove_{};  // when it comes or goes
   SoakCounts counts_;
   Traffic longestTraffic_;
   std::vector<std::string> faults_;

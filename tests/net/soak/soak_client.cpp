@@ -23,11 +23,11 @@ std::optional<std::string> reasonOf(const std::optional<SessionEnding>& ending) 
 
 class HollowClient : public SoakClient {
  public:
-  HollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, bool isRestless, Moment now)
+  HollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, bool isRestless, Time now)
       : session_(name, now, memory.token), buttons_(buttonsOf(seed, isRestless)) {}
 
-  void receive(std::span<const std::uint8_t> bytes, Moment now) override { session_.receive(bytes, now); }
-  void update(Moment now) override { session_.update(now, buttons_); }
+  void receive(std::span<const std::uint8_t> bytes, Time now) override { session_.receive(bytes, now); }
+  void update(Time now) override { session_.update(now, buttons_); }
   void leave() override { session_.leave(); }
   std::vector<OutgoingMessage> takeOutgoing() override { return session_.takeOutgoing(); }
   std::optional<std::string> ending() const override { return reasonOf(session_.ending()); }
@@ -42,13 +42,13 @@ class HollowClient : public SoakClient {
 
 class PlayingClient : public SoakClient {
  public:
-  PlayingClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, Moment now)
+  PlayingClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, Time now)
       : session_(name, now, withToken(memory)),
         controls_(pressing(seed)),
         before_(session_.predictionStatistics().confirmedTicks) {}
 
-  void receive(std::span<const std::uint8_t> bytes, Moment now) override { session_.receive(bytes, now); }
-  void update(Moment now) override { session_.update(now, controls_); }
+  void receive(std::span<const std::uint8_t> bytes, Time now) override { session_.receive(bytes, now); }
+  void update(Time now) override { session_.update(now, controls_); }
   void leave() override { session_.leave(); }
   std::vector<OutgoingMessage> takeOutgoing() override { return session_.takeOutgoing(); }
   std::optional<std::string> ending() const override { return reasonOf(session_.ending()); }
@@ -72,12 +72,12 @@ class PlayingClient : public SoakClient {
 }  // namespace
 
 std::unique_ptr<SoakClient> makeHollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed,
-                                             bool isRestless, Moment now) {
+                                             bool isRestless, Time now) {
   return std::make_unique<HollowClient>(name, memory, seed, isRestless, now);
 }
 
 std::unique_ptr<SoakClient> makePlayingClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed,
-                                              Moment now) {
+                                              Time now) {
   return std::make_unique<PlayingClient>(name, memory, seed, now);
 }
 

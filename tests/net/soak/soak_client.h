@@ -23,8 +23,8 @@ class SoakClient {
  public:
   virtual ~SoakClient() = default;
 
-  virtual void receive(std::span<const std::uint8_t> bytes, Moment now) = 0;
-  virtual void update(Moment now) = 0;
+  virtual void receive(std::span<const std::uint8_t> bytes, Time now) = 0;
+  virtual void update(Time now) = 0;
   virtual void leave() = 0;
   virtual std::vector<OutgoingMessage> takeOutgoing() = 0;
 
@@ -40,8 +40,8 @@ class SoakClient {
 
 /// `seed`: of the buttons. `isRestless`: they change in every tick.
 std::unique_ptr<SoakClient> makeHollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed,
-                                             bool isRestless, Moment now);
+                                             bool isRestless, Time now);
 std::unique_ptr<SoakClient> makePlayingClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed,
-                                              Moment now);
+                                              Time now);
 
 }  // namespace platon

@@ -38,7 +38,7 @@ void expectNothingLost(const SoakReport& report) {
 }
 
 void expectMuchDone(const SoakReport& report) {
-  const Moment played = plan().shortRounds + plan().longRounds;
+  const Time played = plan().shortRounds + plan().longRounds;
   EXPECT_GE(report.ticks, static_cast<std::uint64_t>((played - seconds(2)) / seconds(1)) * kTicksPerSecond);
   EXPECT_GE(report.rollCalls, 5u);
   const auto turns = static_cast<std::uint64_t>(played / minutes(1)) * 10;

@@ -35,7 +35,7 @@ class ClientGateTest : public testing::Test {
   DatagramNetwork network_;
   KeyPair ephemeral_ = KeyPair::random();
   ServerIdentity identity_ = ServerIdentity::random();
-  Moment now_ = seconds(50);
+  Time now_ = seconds(50);
   ServerGate server_{network_.socket(kServer), identity_, {4, 4, {}, false}, now_};
 };
 

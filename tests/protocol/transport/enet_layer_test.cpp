@@ -118,7 +118,7 @@ TEST_F(EnetSettingsTest, AnUnacknowledgedCommandIsSentAgainAfterTheLimit) {
 
 TEST_F(EnetSettingsTest, ACommandThatIsDueIsSentAgainOnlyIfItMay) {
   enet_host_flush(host_.get());
-  const auto serviceAt = [&](Moment now, bool may) {
+  const auto serviceAt = [&](Time now, bool may) {
     const EnetScope scope(port_, now);
     int asked = 0;
     limitRetransmissionTimeout(*peer_, 70);
@@ -128,7 +128,7 @@ TEST_F(EnetSettingsTest, ACommandThatIsDueIsSentAgainOnlyIfItMay) {
     return asked;
   };
   using std::chrono::milliseconds;
-  const Moment sent = std::chrono::seconds(1000);
+  const Time sent = std::chrono::seconds(1000);
   EXPECT_EQ(serviceAt(sent + milliseconds(69), false), 0) << "it is not due";
   EXPECT_EQ(serviceAt(sent + milliseconds(70), false), 1);
   EXPECT_EQ(serviceAt(sent + milliseconds(71), false), 1) << "it is still due";

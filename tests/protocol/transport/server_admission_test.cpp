@@ -19,7 +19,7 @@ using std::chrono::seconds;
 
 const SocketAddress kClient = addressAt("192.0.2.1", 4000);
 constexpr CryptoKey kClientKey{5};
-constexpr Moment kNow = seconds(1000);
+constexpr Time kNow = seconds(1000);
 
 TEST(CookieJar, ACookieIsValidForTheSameClientOnly) {
   const CookieJar jar(CryptoKey{1});
@@ -43,7 +43,7 @@ TEST(CookieJar, EveryFlippedBitIsInvalid) {
 
 TEST(CookieJar, ACookieIsValidInItsEpochAndTheNext) {
   const CookieJar jar(CryptoKey{1});
-  const Moment begin = 20 * CookieJar::kEpoch;
+  const Time begin = 20 * CookieJar::kEpoch;
   const Cookie cookie = jar.make(kClient, kClientKey, begin);
   EXPECT_TRUE(jar.isValid(cookie, kClient, kClientKey, begin + 2 * CookieJar::kEpoch - seconds(1)));
   EXPECT_FALSE(jar.isValid(cookie, kClient, kClientKey, begin + 2 * CookieJar::kEpoch));
@@ -84,7 +84,7 @@ TEST(RecentKeys, ForgetsNoneHoweverManyThereAre) {
 
 using std::chrono::milliseconds;
 
-constexpr Moment kStart = std::chrono::seconds(1000);
+constexpr Time kStart = std::chrono::seconds(1000);
 constexpr CryptoKey kKey{1, 2, 3};
 constexpr double kPerSecond = 2;
 constexpr int kLimit = 8;

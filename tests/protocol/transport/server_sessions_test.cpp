@@ -204,7 +204,7 @@ TEST_F(ServerGatePathsTest, AChallengeIsAnsweredOnce) {
 // It does not receive at its old address, and may not receive here.
 TEST_F(ServerGatePathsTest, AClientWhoseMoveIsRefusedIsSentNothingButChallengesAfterASecond) {
   rules_.mayMove = [](SessionId, const IpAddress&) { return false; };
-  for (Moment passed{}; passed < ServerSessions::kUnconfirmedPathTime; passed += 100ms, now_ += 100ms) {
+  for (Time passed{}; passed < ServerSessions::kUnconfirmedPathTime; passed += 100ms, now_ += 100ms) {
     deliver(kMoved, sealed(kContent));
     if (challengesTo(kMoved) > gate_->rejections().full) answer(kMoved, answerTo(kMoved));
     EXPECT_EQ(receiver(), clientAt(1));
@@ -317,7 +317,7 @@ TEST_F(ServerGatePathsTest, ADatagramFromABannedAddressPutsTheOldAddressInDoubtT
 // Its datagrams alone do not show where it is: it may have left its address, and forge it as their sender to have the
 // server send there without end.
 TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressWhoseClientAnswersNoneForFifteenSeconds) {
-  const Moment joined = now_;
+  const Time joined = now_;
   for (; now_ < joined + 20s; now_ += 100ms) {
     deliver(clientAt(1), sealed(kContent));
     const std::size_t all = network_.sent().size();
@@ -333,7 +333,7 @@ TEST_F(ServerGatePathsTest, NothingButChallengesGoesToAnAddressWhoseClientAnswer
 
 TEST_F(ServerGatePathsTest, AClientThatStaysIsAskedEveryTenSeconds) {
   network_.forgetSent();
-  for (const Moment end = now_ + 60s; now_ < end; now_ += 50ms) {
+  for (const Time end = now_ + 60s; now_ < end; now_ += 50ms) {
     const std::size_t before = challengesTo(clientAt(1));
     deliver(clientAt(1), sealed(kContent));
     if (challengesTo(clientAt(1)) > before) answer(clientAt(1), answerTo(clientAt(1)));
@@ -343,7 +343,7 @@ TEST_F(ServerGatePathsTest, AClientThatStaysIsAskedEveryTenSeconds) {
 
 // A path that begins anew does not excuse it.
 TEST_F(ServerGatePathsTest, WhoGoesBackAndForthWithoutAnAnswerIsAskedToo) {
-  const Moment joined = now_;
+  const Time joined = now_;
   for (; now_ < joined + 15s; now_ += 100ms) {
     deliver(kMoved, sealed(kContent));
     deliver(clientAt(1), sealed(kContent));

@@ -11,7 +11,7 @@
 namespace platon::udp_socket_test {
 namespace {
 
-constexpr Moment kNow{};
+constexpr Time kNow{};
 
 std::string errorOf(const std::string& bind, std::uint16_t port, int exitCode = ProgramError::kUsage) {
   try {

@@ -22,7 +22,7 @@ class Roamer {
 
   void move(const SocketAddress& own) { socket_->move(own); }
 
-  void step(Moment now) {
+  void step(Time now) {
     connection_.service(now, [this](std::span<const std::uint8_t> bytes) {
       const auto message = decodeToClient({bytes.begin(), bytes.end()});
       if (!message) return;
@@ -47,9 +47,9 @@ class Roamer {
     Socket(DatagramNetwork& network, const SocketAddress& own) : network_(network), own_(network.socket(own)) {}
 
     void move(const SocketAddress& own) { own_ = network_.socket(own); }
-    std::optional<Datagram> receive(Moment now) override { return own_->receive(now); }
-    void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override { own_->send(receiver, bytes, now); }
-    void flush(Moment now) override { own_->flush(now); }
+    std::optional<Datagram> receive(Time now) override { return own_->receive(now); }
+    void send(const SocketAddress& receiver, ByteSpan bytes, Time now) override { own_->send(receiver, bytes, now); }
+    void flush(Time now) override { own_->flush(now); }
     void wait(std::chrono::milliseconds) override {}
     SocketAddress address() const override { return own_->address(); }
 

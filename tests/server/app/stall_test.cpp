@@ -23,9 +23,9 @@ class StallTest : public testing::Test {
                  [](const std::string& line) { return line.starts_with("ticks dropped"); });
     return found;
   }
-  void letPass(Bot& bot, Moment duration) {
+  void letPass(Bot& bot, Time duration) {
     server_.runUntil(
-        duration, [&bot](Moment now) { bot.update(now); }, [] { return false; });
+        duration, [&bot](Time now) { bot.update(now); }, [] { return false; });
   }
 
   std::vector<std::string> log_;
@@ -33,11 +33,11 @@ class StallTest : public testing::Test {
 };
 
 TEST_F(StallTest, AfterTwoSecondsTheMatchGoesOnWithTheSamePlayers) {
-  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
+  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Time{});
   letPass(bot, seconds(4));
   ASSERT_TRUE(bot.result().joined);
   const std::uint32_t before = tick();
-  server_.suspend(seconds(2), [&bot](Moment now) { bot.update(now); });
+  server_.suspend(seconds(2), [&bot](Time now) { bot.update(now); });
   letPass(bot, milliseconds(100));
   EXPECT_GE(tick(), before + TickClock::kMaxBehind);
   EXPECT_LE(tick(), before + TickClock::kMaxBehind + 8) << "no more are made up for";
@@ -52,11 +52,11 @@ TEST_F(StallTest, AfterTwoSecondsTheMatchGoesOnWithTheSamePlayers) {
 }
 
 TEST_F(StallTest, RepeatedStallsAreSaidOnceInTenSeconds) {
-  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
+  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Time{});
   letPass(bot, seconds(4));
   ASSERT_TRUE(bot.result().joined);
   for (int stall = 0; stall < 8; ++stall) {
-    server_.suspend(milliseconds(500), [&bot](Moment now) { bot.update(now); });
+    server_.suspend(milliseconds(500), [&bot](Time now) { bot.update(now); });
     letPass(bot, milliseconds(100));
   }
   EXPECT_EQ(droppedLines().size(), 1u);
@@ -66,12 +66,12 @@ TEST_F(StallTest, RepeatedStallsAreSaidOnceInTenSeconds) {
 
 // 0.8 s are 48 ticks; 15 of them are made up for.
 TEST_F(StallTest, EveryDroppedTickIsCounted) {
-  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
+  PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Time{});
   letPass(bot, seconds(4));
   ASSERT_TRUE(bot.result().joined);
   EXPECT_EQ(server_.server().droppedTicks(), 0u);
   for (const double stalls : {1.0, 2.0, 3.0}) {
-    server_.suspend(milliseconds(800), [&bot](Moment now) { bot.update(now); });
+    server_.suspend(milliseconds(800), [&bot](Time now) { bot.update(now); });
     letPass(bot, milliseconds(100));
     EXPECT_NEAR(static_cast<double>(server_.server().droppedTicks()), 33 * stalls, stalls);
   }
@@ -82,13 +82,13 @@ TEST_F(StallTest, EveryDroppedTickIsCounted) {
 TEST_F(StallTest, TheTickTimesOfAServerThatIsEmptyEndAfterTwoMinutes) {
   server_.server().setClock([this] { return TimePoint(server_.clock().now()); });
   {
-    PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Moment{});
+    PlayingBot bot(server_.address(), "bot", ServerKnowledge(), LinkQuality(), 1, server_.clock().now(), Time{});
     letPass(bot, seconds(4));
     ASSERT_TRUE(bot.result().joined);
   }
-  const auto pass = [this](Moment duration) {
+  const auto pass = [this](Time duration) {
     server_.runUntil(
-        duration, [](Moment) {}, [] { return false; });
+        duration, [](Time) {}, [] { return false; });
   };
   pass(seconds(30));
   EXPECT_GT(server_.server().recentTickTimes().longest(), 0u);
@@ -101,9 +101,9 @@ TEST_F(StallTest, TheTickTimesOfAServerThatIsEmptyEndAfterTwoMinutes) {
 }
 
 TEST_F(StallTest, AServerWithoutPlayersDropsNothing) {
-  server_.suspend(seconds(60), [](Moment) {});
+  server_.suspend(seconds(60), [](Time) {});
   server_.runUntil(
-      seconds(1), [](Moment) {}, [] { return false; });
+      seconds(1), [](Time) {}, [] { return false; });
   EXPECT_TRUE(droppedLines().empty());
   EXPECT_EQ(server_.server().droppedTicks(), 0u);
 }

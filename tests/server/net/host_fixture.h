@@ -54,7 +54,7 @@ class HostTest : public testing::Test {
   }
 
   DatagramNetwork network_;
-  Moment now_ = std::chrono::seconds(1000);
+  Time now_ = std::chrono::seconds(1000);
   ServerIdentity identity_ = ServerIdentity::random();
   Host host_{network_.socket(kServer), identity_, settings(), now_};
   Connection client_{network_.socket(kClient), {kServer}, {}};

@@ -35,7 +35,7 @@ class UnacknowledgedTest : public HostTest {
   std::size_t messagesSentDuring(Content content) {
     const std::size_t before = bytesToEve();
     say(40);
-    for (const Moment end = now_ + 9s; now_ < end; now_ += 10ms) {
+    for (const Time end = now_ + 9s; now_ < end; now_ += 10ms) {
       eve_.send(content(), now_);
       host_.service(now_);
       host_.flush(now_);
@@ -59,7 +59,7 @@ class UnacknowledgedTest : public HostTest {
 TEST_F(UnacknowledgedTest, AcknowledgementsOfWhatWasNeverSentKeepNoConnectionOpen) {
   say(1);
   host_.service(now_);
-  const Moment said = now_;
+  const Time said = now_;
   for (now_ += 250ms; now_ < said + 10s; now_ += 250ms) {
     acknowledge(40000);
     ASSERT_TRUE(host_.service(now_).empty()) << (now_ - said) / 1ms << " ms";
@@ -91,7 +91,7 @@ TEST_F(UnacknowledgedTest, WhatStandsBesideAFalseAcknowledgementArrives) {
 TEST_F(UnacknowledgedTest, AConnectionEndsTenSecondsAfterItsOldestMessageWasSent) {
   say(1);
   host_.service(now_);
-  const Moment said = now_;
+  const Time said = now_;
   for (std::uint16_t sequence = 2; (now_ += 250ms) < said + 10s; ++sequence) {
     host_.send(player_, true, Bytes(10));
     host_.flush(now_);
@@ -106,7 +106,7 @@ TEST_F(UnacknowledgedTest, AConnectionEndsTenSecondsAfterItsOldestMessageWasSent
 TEST_F(UnacknowledgedTest, WhoAcknowledgesNothingIsSentFourMessagesAndFewOfThemAgain) {
   const std::size_t before = bytesToEve();
   say(40);
-  for (const Moment end = now_ + 9s; now_ < end; now_ += 10ms) {
+  for (const Time end = now_ + 9s; now_ < end; now_ += 10ms) {
     if (now_ / 1ms % 250 == 0) acknowledge(40000);
     host_.service(now_);
   }
@@ -145,7 +145,7 @@ TEST_F(HostLimitsTest, AfterAnInterruptionOfFourSecondsAllMessagesArrive) {
   host_.admit(client);
   for (int i = 0; i < 100; ++i) host_.send(client, true, Bytes(1000, static_cast<std::uint8_t>(i)));
   ASSERT_TRUE(run([this] { return received_.size() >= 10; }));
-  const Moment interrupted = now_;
+  const Time interrupted = now_;
   network_.setFilter([this, interrupted](const auto&) { return now_ - interrupted >= 4s; });
   EXPECT_TRUE(run([this] { return received_.size() == 100; }));
   EXPECT_LE(now_ - interrupted, 8s);

@@ -74,7 +74,7 @@ TEST_F(HostTest, AnAdmittedClientThatKeepsSendingAfterCloseEndsAfterThreeSeconds
   ASSERT_EQ(events.size(), 1u);
   const ClientId client = events[0].client;
   host_.admit(client);
-  const Moment closed = now_;
+  const Time closed = now_;
   host_.close(client, closed);
   for (now_ += 100ms; now_ < closed + 3s; now_ += 100ms) {
     eve_.send(acknowledgeContent(eve_.peer(), 1), now_);
@@ -92,10 +92,10 @@ TEST_F(HostTest, AnAdmittedClientThatKeepsSendingAfterCloseEndsAfterThreeSeconds
 TEST_F(HostTest, AnOldConnectionWaitsThreeSecondsForTheAnswerToItsClose) {
   const ClientId client = connect();
   host_.admit(client);
-  const Moment connected = now_;
+  const Time connected = now_;
   EXPECT_TRUE(run([&] { return now_ >= connected + 10s; }));
   EXPECT_TRUE(host_.isOpen(client));
-  const Moment closed = now_;
+  const Time closed = now_;
   host_.close(client, closed);
   EXPECT_TRUE(host_.service(closed + 3s - 1ms).empty());
   EXPECT_FALSE(host_.empty());
@@ -119,7 +119,7 @@ TEST_F(HostTest, AnAdmittedConnectionEndsAfterFiveSecondsOfSilence) {
 
 TEST_F(HostTest, AConnectionThatIsNotAdmittedEnds) {
   const ClientId client = connect();
-  const Moment connected = now_;
+  const Time connected = now_;
   host_.service(connected + Host::kAdmissionTime - 5s);
   EXPECT_TRUE(host_.isOpen(client));
   host_.service(connected + Host::kAdmissionTime);

@@ -19,18 +19,18 @@ class HostileClient {
       : gate_(network.socket(own), {server}, {}, KeyPair::random()) {}
 
   /// One exchange with the host. Notes which peer of the host the session became.
-  void step(Host& host, Moment now) {
+  void step(Host& host, Time now) {
     gate_.update(now);
     host.service(now);
     while (const std::optional<Bytes> content = gate_.receive(now)) note(*content);
   }
 
-  void join(Host& host, Moment now) {
+  void join(Host& host, Time now) {
     for (int i = 0; i < 3; ++i) step(host, now);
   }
 
   /// Also completes ENet's handshake.
-  void connect(Host& host, Moment now) {
+  void connect(Host& host, Time now) {
     join(host, now);
     send(connectContent(77), now);
     step(host, now);
@@ -39,7 +39,7 @@ class HostileClient {
     step(host, now);
   }
 
-  void send(ByteSpan content, Moment now) { gate_.send(content, now); }
+  void send(ByteSpan content, Time now) { gate_.send(content, now); }
   std::uint16_t peer() const { return peer_; }
 
  private:

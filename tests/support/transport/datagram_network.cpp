@@ -6,7 +6,7 @@ class DatagramNetwork::Socket : public DatagramSocket {
  public:
   Socket(DatagramNetwork& network, const SocketAddress& own) : network_(network), own_(own) {}
 
-  std::optional<Datagram> receive(Moment) override {
+  std::optional<Datagram> receive(Time) override {
     std::deque<Waiting>& waiting = network_.waiting_[own_];
     if (waiting.empty()) return std::nullopt;
     current_ = std::move(waiting.front());
@@ -14,12 +14,12 @@ class DatagramNetwork::Socket : public DatagramSocket {
     return Datagram{current_.from, current_.bytes};
   }
 
-  void send(const SocketAddress& receiver, ByteSpan bytes, Moment) override {
+  void send(const SocketAddress& receiver, ByteSpan bytes, Time) override {
     network_.sent_.push_back({own_, receiver, {bytes.begin(), bytes.end()}});
     if (!network_.filter_ || network_.filter_(network_.sent_.back())) network_.inject(own_, receiver, bytes);
   }
 
-  void flush(Moment) override {}
+  void flush(Time) override {}
   void wait(std::chrono::milliseconds) override {}
   SocketAddress address() const override { return own_; }
 

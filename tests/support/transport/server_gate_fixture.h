@@ -74,7 +74,7 @@ class ServerGateTest : public testing::Test {
 
   DatagramNetwork network_;
   ServerIdentity identity_ = ServerIdentity::random();
-  Moment now_ = std::chrono::seconds(1000);
+  Time now_ = std::chrono::seconds(1000);
   GateRules rules_;  // a test may change it at any time
   std::optional<ServerGate> gate_;
 };

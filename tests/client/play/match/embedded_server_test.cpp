@@ -23,8 +23,8 @@ constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level
 bool connects(const ServerAddress& address) {
   const Clock clock = steadyClock();
   NetworkClient client(address, {"someone"}, clock.now());
-  const Moment end = clock.now() + std::chrono::seconds(60);
-  for (Moment now = clock.now(); now < end && !client.welcomed() && !client.ending(); now = clock.now()) {
+  const Time end = clock.now() + std::chrono::seconds(60);
+  for (Time now = clock.now(); now < end && !client.welcomed() && !client.ending(); now = clock.now()) {
     client.update(now, [](const Game&, std::uint32_t) { return Input{}; });
     clock.sleepUntil(now + std::chrono::milliseconds(2));
   }
@@ -97,8 +97,8 @@ class Guest {
 
   template <class Condition>
   bool playUntil(Condition&& condition) {
-    const Moment end = clock_.now() + std::chrono::seconds(60);
-    for (Moment now = clock_.now(); now < end; now = clock_.now()) {
+    const Time end = clock_.now() + std::chrono::seconds(60);
+    for (Time now = clock_.now(); now < end; now = clock_.now()) {
       if (condition(client_)) return true;
       client_.update(now, [](const Game&, std::uint32_t) { return Input{}; });
       clock_.sleepUntil(now + std::chrono::milliseconds(2));

@@ -19,7 +19,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Moment kFrame = milliseconds(16);
+constexpr Time kFrame = milliseconds(16);
 constexpr int kFrames = 625;  // 10 s
 
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
@@ -54,7 +54,7 @@ class Viewer {
     for (int i = 0; i < conditions.idle; ++i) match_.join(LinkQuality(), kNoButtons);
   }
 
-  void pass(Moment duration) { match_.run(duration); }
+  void pass(Time duration) { match_.run(duration); }
   // Drawn movement since the last call, units.
   double movement() {
     const std::optional<Scene> scene = feed_.scene(match_.session(1), match_.now());
@@ -125,17 +125,17 @@ class Arrivals {
 };
 
 TEST_P(EvenMotionTest, TheInterpolationDelayMatchesTheMeasuredLateness) {
-  constexpr Moment kStep = std::chrono::microseconds(500);  // time step of the match
-  constexpr double kResolution = 0.05;                      // ticks: one time step
-  constexpr double kClientFrame = 0.24;                     // ticks: the last update was up to 4 ms ago
+  constexpr Time kStep = std::chrono::microseconds(500);  // time step of the match
+  constexpr double kResolution = 0.05;                    // ticks: one time step
+  constexpr double kClientFrame = 0.24;                   // ticks: the last update was up to 4 ms ago
   Viewer viewer(GetParam(), 7);
   Arrivals arrivals;
-  for (Moment passed{}; passed < seconds(20); passed += kStep) {
+  for (Time passed{}; passed < seconds(20); passed += kStep) {
     viewer.pass(kStep);
     const InterpolationBuffer* const buffer = viewer.buffer();
     if (buffer == nullptr) continue;
     arrivals.observe(toSeconds(passed) * kTicksPerSecond, buffer->newest());
-    if (passed < seconds(15) || passed % kFrame != Moment::zero()) continue;
+    if (passed < seconds(15) || passed % kFrame != Time::zero()) continue;
     const double delay = arrivals.lateness(0.99) + 1 + InterpolationBuffer::kSpareTicks;
     ASSERT_NEAR(buffer->targetDelay(), delay, kResolution);
     const double behind = buffer->newest() - buffer->tick() - kClientFrame - kResolution;

@@ -53,8 +53,8 @@ class LiveMatchTest : public testing::Test {
 
   bool updateUntil(LiveMatch& match, bool wantsPause, const std::function<bool()>& done, double speed = 1) {
     const Controls controls = [](const Game& game, std::uint32_t) { return inputOf(game.tick()); };
-    const Moment end = clock_.now() + seconds(60);
-    for (Moment now = clock_.now(); now < end; now = clock_.now()) {
+    const Time end = clock_.now() + seconds(60);
+    for (Time now = clock_.now(); now < end; now = clock_.now()) {
       match.update(wantsPause, controls, speed);
       if (done()) return true;
       clock_.sleepUntil(now + milliseconds(2));
@@ -67,7 +67,7 @@ class LiveMatchTest : public testing::Test {
     int frames = 0;
     stepUntil(
         [&] {
-          skipped_ += milliseconds(20) / Moment(1);
+          skipped_ += milliseconds(20) / Time(1);
           match.update(true, [](const Game&, std::uint32_t) { return Input{}; });
         },
         [&] { return ++frames == 350; });
@@ -84,10 +84,10 @@ class LiveMatchTest : public testing::Test {
   const TemporaryFolder folder_;
   const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path().string()};
   const EnvironmentVariable cache_{"XDG_CACHE_HOME", (folder_ / "cache").string()};
-  std::atomic<Moment::rep> skipped_ = 0;
+  std::atomic<Time::rep> skipped_ = 0;
   // Real time, and what was skipped.
-  const Clock clock_{[this] { return steadyClock().now() + Moment(skipped_); },
-                     [this](Moment until) { steadyClock().sleepUntil(until - Moment(skipped_)); }};
+  const Clock clock_{[this] { return steadyClock().now() + Time(skipped_); },
+                     [this](Time until) { steadyClock().sleepUntil(until - Time(skipped_)); }};
 };
 
 TEST_F(LiveMatchTest, NoTickPassesWhileAPlayerWhoIsAlonePauses) {
@@ -166,8 +166,8 @@ TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
   EXPECT_EQ(match.leastSpeed(), 1);
   ASSERT_TRUE(updateUntil(
       match, false, [&] { return match.leastSpeed() == 0.5; }, 0.5));
-  const Moment real = clock_.now();
-  const Moment own = match.now();
+  const Time real = clock_.now();
+  const Time own = match.now();
   ASSERT_TRUE(updateUntil(
       match, false, [&] { return match.now() - own > milliseconds(100); }, 0.5));
   EXPECT_GE(clock_.now() - real, milliseconds(200));
@@ -183,8 +183,8 @@ TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
   };
   ASSERT_TRUE(updateUntil(match, false, othersPlay, 0.5));
   EXPECT_EQ(other.leastSpeed(), 1);
-  const Moment time = match.now();
-  const Moment before = clock_.now();
+  const Time time = match.now();
+  const Time before = clock_.now();
   updateUntil(
       match, false, [&] { return clock_.now() - before > milliseconds(50); }, 0.5);
   EXPECT_GE(match.now() - time, milliseconds(50)) << "not slowed with others";
@@ -245,8 +245,8 @@ class JoinedMatchTest : public testing::Test {
  protected:
   // Updates until `done`, at most for `timeout`. Returns whether it is done.
   template <class Done>
-  bool updateUntil(Moment timeout, Done done) {
-    const auto update = [this](Moment now) {
+  bool updateUntil(Time timeout, Done done) {
+    const auto update = [this](Time now) {
       relay_->pump(now);
       match_->update(false, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
       relay_->pump(now);
@@ -276,7 +276,7 @@ class JoinedMatchTest : public testing::Test {
   LoopbackServer server_;
   std::optional<LossyRelay> relay_;
   // That of the server; what is sent goes through the relay.
-  const Clock clock_{server_.clock().now, [this](Moment until) {
+  const Clock clock_{server_.clock().now, [this](Time until) {
                        relay_->pump(server_.clock().now());
                        server_.clock().sleepUntil(until);
                        relay_->pump(until);
@@ -309,7 +309,7 @@ TEST_F(JoinedMatchTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
   Console console(server_.server().match(), bans, {[] { return ""; }, {}, {}, {}, [](std::string_view) {}});
   const auto say = [&](const std::string& text) {
     EXPECT_EQ(console.execute("say " + text, UtcTime()), (ConsoleReply{true, "said to 1 player"}));
-    const Moment saidAt = server_.clock().now();
+    const Time saidAt = server_.clock().now();
     EXPECT_TRUE(updateUntil(seconds(1), [&] { return isInPicture(text); }));
     return saidAt;
   };
@@ -319,7 +319,7 @@ TEST_F(JoinedMatchTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
   EXPECT_EQ(match_->message(), "");
   updateUntil(seconds(5), [] { return false; });
   EXPECT_TRUE(isInPicture("Restart at noon"));
-  const Moment second = say("Restart at one");
+  const Time second = say("Restart at one");
   EXPECT_FALSE(isInPicture("Restart at noon"));
   EXPECT_TRUE(updateUntil(seconds(10), [&] { return !isInPicture("Restart at one"); }));
   EXPECT_GE(server_.clock().now() - second, LiveMatch::kNoticeTime);
@@ -474,8 +474,8 @@ TEST_F(JoinedMatchTest, DoesNotJoinUnderFullLoss) {
 }
 
 TEST_F(JoinedMatchTest, ReportsWhyTheMatchEnded) {
-  Moment now{};
-  LiveMatch match(ClientOptions(), {.server = ServerAddress{"127.0.0.1", 1}}, {[&now] { return now; }, [](Moment) {}});
+  Time now{};
+  LiveMatch match(ClientOptions(), {.server = ServerAddress{"127.0.0.1", 1}}, {[&now] { return now; }, [](Time) {}});
   for (; now <= seconds(6); now += milliseconds(50)) {
     match.update(false, [](const Game&, std::uint32_t) { return Input{}; });
   }
@@ -523,7 +523,7 @@ TEST_F(JoinedMatchTest, AServerThatSaysSomethingInEveryFrameFillsNoDisk) {
 // Hashes of the confirmed game by tick, of a client and a server that go by one clock. With `pauses`, the clock stands
 // still for 3 s after every 0.7 s. Time is virtual.
 std::map<std::uint32_t, std::uint64_t> hashesOf(bool pauses, double speed = 1) {
-  Moment real = steadyClock().now();
+  Time real = steadyClock().now();
   PausableClock clock([&real] { return real; });
   ServerSettings settings;
   settings.bind = "127.0.0.1";

@@ -16,8 +16,8 @@ TEST(NetMeter, SamplesARunningClient) {
   NetworkClient client(server.address(), {""}, server.clock().now());
   NetMeter meter;
   NetSample sample;
-  Moment last{};
-  const auto update = [&](Moment now) {
+  Time last{};
+  const auto update = [&](Time now) {
     last = now;
     client.update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
     if (client.session() != nullptr) sample = meter.sample(client, now);

@@ -12,7 +12,7 @@ using std::chrono::seconds;
 
 class ServerLinesTest : public testing::Test {
  protected:
-  Moment now_ = seconds(1000);
+  Time now_ = seconds(1000);
   std::vector<std::string> printed_;
   ServerLines lines_{now_, [this](const std::string& line) { printed_.push_back(line); }};
 };
@@ -35,7 +35,7 @@ TEST_F(ServerLinesTest, OfAFloodOneLineASecondIsPrintedAndTheNumberOfTheOthersTo
   for (int frame = 0; frame < 60 * 60; ++frame) {  // a minute
     lines_.add("again", now_);
     lines_.update(now_);
-    now_ += Moment(seconds(1)) / 60;
+    now_ += Time(seconds(1)) / 60;
   }
   lines_.tell();
   EXPECT_EQ(std::count(printed_.begin(), printed_.end(), "again"), 10 + 59);
@@ -49,7 +49,7 @@ TEST_F(ServerLinesTest, OfAFloodOneLineASecondIsPrintedAndTheNumberOfTheOthersTo
 
 TEST_F(ServerLinesTest, TheNumberIsToldTenSecondsAfterTheFirst) {
   for (int i = 0; i < 11; ++i) lines_.add("a", now_);
-  lines_.update(now_ + seconds(10) - Moment(1));
+  lines_.update(now_ + seconds(10) - Time(1));
   EXPECT_EQ(printed_.size(), 10u);
   lines_.update(now_ + seconds(10));
   EXPECT_EQ(printed_.back(), "1 line about the server left out: there were too many");

@@ -46,14 +46,14 @@ TEST(SceneFeed, ShowsThatTheServerHasEndedTheRound) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};
   const std::uint64_t level = endlessLevel()->hash;
-  Session session("x", Moment(0), memory);
-  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
+  Session session("x", Time(0), memory);
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Time(0));
   SceneFeed feed;
-  EXPECT_FALSE(feed.scene(session, Moment(0))->over);
-  EXPECT_TRUE(feed.scene(session, Moment(0))->timed);
-  EXPECT_FALSE(feed.scene(session, Moment(0), {.timed = false})->timed);
-  session.receive(encode(RoundEnd{1, 0, level}), Moment(0));
-  EXPECT_TRUE(feed.scene(session, Moment(0))->over);
+  EXPECT_FALSE(feed.scene(session, Time(0))->over);
+  EXPECT_TRUE(feed.scene(session, Time(0))->timed);
+  EXPECT_FALSE(feed.scene(session, Time(0), {.timed = false})->timed);
+  session.receive(encode(RoundEnd{1, 0, level}), Time(0));
+  EXPECT_TRUE(feed.scene(session, Time(0))->over);
 }
 
 TEST(SceneFeed, ShowsThatPlayersAreMissing) {

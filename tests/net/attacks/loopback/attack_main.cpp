@@ -35,8 +35,8 @@ constexpr const char* kUsage =
 
 constexpr int kFailed = 1;
 constexpr int kUsageError = 2;
-constexpr Moment kPumpInterval = std::chrono::microseconds(250);
-constexpr Moment kStep = std::chrono::milliseconds(1);
+constexpr Time kPumpInterval = std::chrono::microseconds(250);
+constexpr Time kStep = std::chrono::milliseconds(1);
 constexpr int kMaxStepsAtOnce = 20;  // after a pause of this process; what was missed beyond it is not made up
 
 struct Options {
@@ -131,11 +131,11 @@ class Run {
     if (amplifies) attack(attacker.get(), kAmplifyingLasts);
   }
 
-  void attack(Attacker* attacker, Moment duration) {
-    const Moment begun = clock_.now();
+  void attack(Attacker* attacker, Time duration) {
+    const Time begun = clock_.now();
     const auto perStep = static_cast<int>(options_.rate * kStep / std::chrono::seconds(1));
-    Moment stepped = begun;
-    for (Moment now = begun; now - begun < duration; now = clock_.now()) {
+    Time stepped = begun;
+    for (Time now = begun; now - begun < duration; now = clock_.now()) {
       stepped = std::max(stepped, now - kMaxStepsAtOnce * kStep);
       for (; stepped < now && attacker != nullptr; stepped += kStep) attacker->step(now, perStep);
       pump();

@@ -16,16 +16,16 @@ class LoopbackAttackNetwork::CountingSocket : public DatagramSocket {
  public:
   CountingSocket(LoopbackAttackNetwork& network, const IpAddress& own) : network_(network), socket_(own.text(), 0) {}
 
-  std::optional<Datagram> receive(Moment now) override {
+  std::optional<Datagram> receive(Time now) override {
     const std::optional<Datagram> datagram = socket_.receive(now);
     if (datagram) network_.noteReceived(datagram->bytes.size());
     return datagram;
   }
-  void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override {
+  void send(const SocketAddress& receiver, ByteSpan bytes, Time now) override {
     network_.count(bytes);
     socket_.send(receiver, bytes, now);
   }
-  void flush(Moment now) override { socket_.flush(now); }
+  void flush(Time now) override { socket_.flush(now); }
   void wait(std::chrono::milliseconds timeout) override { socket_.wait(timeout); }
   SocketAddress address() const override { return socket_.address(); }
 
