@@ -105,7 +105,7 @@ Scene makeScene(const SceneSource& source) {
 
 namespace {
 
-// Longest interpolated distance in one tick, level units: the fastest fall is 12, and slopes and jumps can add to it.
+// Longest interpolated distance in one tick, level units: the fastest fall is 7.5, and slopes and jumps can add to it.
 // A shorter jump is interpolated, too; that lasts one tick.
 constexpr double kMaxTickDistance = 32;
 

@@ -20,7 +20,7 @@ struct ProgramFacts {
 };
 
 /// All metrics: one row each. A row is described in docs/hosting.md, too, and shown by the dashboard or an alert in
-/// deploy/monitoring; server_metrics_test and the test `monitoring` name those that lack.
+/// deploy/monitoring; server_metrics_test and the test `deploy_monitoring` name those that lack.
 std::vector<Metric> metricsOf(const DedicatedServer& server, const ProgramFacts& facts);
 
 }  // namespace platon

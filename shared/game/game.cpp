@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-// Two players touch when their distance is below their radii together; so do a player and the goal.
+// A player touches the goal when their distance is below their radii together.
 constexpr std::int64_t kGoalReach = kPlayerRadius + kGoalRadius;
 
 }  // namespace
