@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -99,11 +98,11 @@ std::string replaceCachedFile(const std::string& path, std::string_view content)
 /// As replaceCachedFile, but everybody may read a new file: for what the user has asked for, and can ask for again.
 std::string replaceOutputFile(const std::string& path, std::string_view content);
 
-/// The folder of a file.
-std::filesystem::path folderOf(const std::filesystem::path& file);
+/// The path of the folder of a file.
+std::string folderOf(const std::string& file);
 
 /// Makes the new name of a file last through a power failure. Some file systems cannot do so, and need not. False if
 /// that fails, with the reason in errno.
-bool syncFolder(const std::filesystem::path& file);
+bool syncFolder(const std::string& file);
 
 }  // namespace platon
