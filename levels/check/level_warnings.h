@@ -18,8 +18,8 @@ std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level, co
 
 // Parts of warningsOf.
 
-/// Warns of gaps between two lines that look wide enough for the ball and are not: from kNarrowest units to the width
-/// of the ball plus 3 subunits. Each line is named once, with the nearest such gap at one of its ends.
+/// Warns of gaps between two lines that look wide enough for the ball and are not: from kNarrowestGap units to the
+/// width of the ball plus 3 subunits. Each line is named once, with the nearest such gap at one of its ends.
 void warnOfNarrowGaps(const Level& level, Diagnostics& diagnostics);
 
 /// Narrower gaps are seen to be closed.

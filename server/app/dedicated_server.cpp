@@ -15,7 +15,7 @@ namespace {
 // Connections beyond the number of players, so that a client can be told that the server is full.
 // Clients that have not said who they are yet must not keep others out.
 constexpr std::uint32_t kSpareConnections = 64;
-// Reliable messages of a client that are not left to chunks. The others are enough for kTransferBytesPerTick up to a
+// Reliable messages of a client that are not left to chunks. The others are enough for the chunks of each tick up to a
 // round trip of 400 ms.
 constexpr std::size_t kReservedRoom = Host::kMaxQueuedMessages * 5 / 8;
 // Datagrams between two ticks beyond which the server reads more often.
@@ -113,7 +113,7 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
                                  std::vector<LevelPointer> levels, Log log)
     : log_(std::move(log)),
       identity_(settings.identity ? *settings.identity : ServerIdentity::random()),
-      host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow()), hostRules()),
+      host_(std::move(socket), identity_, hostSettings(settings, identity_), timeOf(steadyNow()), hostRules()),
       bestTimeFile_(settings.bestTimes),
       bestTimes_(bestTimesOf(settings.bestTimes)),
       match_(LevelRotation(std::move(levels), settings.start), matchSettings(settings), matchProgram()),
@@ -186,7 +186,7 @@ void DedicatedServer::step(TimePoint now) {
 
 void DedicatedServer::receive(TimePoint now) {
   receivedAt_ = now;
-  for (const HostEvent& event : host_.service(momentOf(now))) handle(event, now);
+  for (const HostEvent& event : host_.service(timeOf(now))) handle(event, now);
 }
 
 void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
@@ -204,12 +204,12 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   match_.receive(event.client, *message, address);
   const bool isPlaying = match_.isPlaying(event.client);
   if (isPlaying) host_.admit(event.client);
-  if (wasPlaying && !isPlaying) host_.close(event.client, momentOf(now));  // a connection serves one player only
+  if (wasPlaying && !isPlaying) host_.close(event.client, timeOf(now));  // a connection serves one player only
 }
 
 void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now) {
   host_.send(client, true, message);
-  host_.close(client, momentOf(now));
+  host_.close(client, timeOf(now));
 }
 
 // The address of a client may have been banned after the client had connected.
@@ -236,9 +236,9 @@ void DedicatedServer::logBanned(const IpAddress& address, const Ban& ban) {
 void DedicatedServer::send(TimePoint now) {
   for (const Outgoing& message : match_.takeOutgoing()) {
     host_.send(message.client, message.reliable, message.bytes);
-    if (message.last) host_.close(message.client, momentOf(now));
+    if (message.last) host_.close(message.client, timeOf(now));
   }
-  host_.flush(momentOf(now));
+  host_.flush(timeOf(now));
   const std::vector<MatchEvent> events = match_.takeEvents();
   for (const MatchEvent& event : events) {
     write(log_, event);
@@ -322,7 +322,7 @@ void DedicatedServer::stop(const std::string& reason) {
   const TimePoint end = steadyNow() + kFarewellTime;
   for (; steadyNow() < end && !host_.empty(); host_.wait(std::chrono::milliseconds(10))) {
     send(now_());
-    host_.service(momentOf(now_()));
+    host_.service(timeOf(now_()));
   }
   finishRecordings();
   logBestTimes(bestTimes_.finish());

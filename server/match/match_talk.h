@@ -28,11 +28,11 @@ class ChatBudget {
   static ChatBudget ofPlayers(std::uint32_t players) { return ChatBudget(players); }
 
   /// Whether one more may be said at tick `now` of the match, which never decreases; it counts then.
-  bool take(std::uint64_t now) { return bucket_.take(1, momentOf(now)); }
+  bool take(std::uint64_t now) { return bucket_.take(1, timeOf(now)); }
 
  private:
   explicit ChatBudget(double players) : bucket_(players * kChatsPerSecond, players * kChatBurst, Time(0)) {}
-  static Time momentOf(std::uint64_t tick) { return std::chrono::microseconds(tick * 1'000'000 / kTicksPerSecond); }
+  static Time timeOf(std::uint64_t tick) { return std::chrono::microseconds(tick * 1'000'000 / kTicksPerSecond); }
 
   TokenBucket bucket_;
 };

@@ -10,6 +10,6 @@ namespace platon {
 using TimePoint = std::chrono::steady_clock::time_point;
 
 /// The same time for `protocol`.
-inline Time momentOf(TimePoint time) { return std::chrono::duration_cast<Time>(time.time_since_epoch()); }
+inline Time timeOf(TimePoint time) { return std::chrono::duration_cast<Time>(time.time_since_epoch()); }
 
 }  // namespace platon

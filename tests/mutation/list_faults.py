@@ -42,7 +42,7 @@ LIST_FAULTS = [
     at_length("own-machine-in-any-list", SEARCH, " && !allowsLoopback_", " && allowsLoopback_",
               "a list from elsewhere has its readers send to their own machines",
               "ListedSearchTest.RefusesAddressesThatAreNotOfOneOtherMachine"),
-    at_length("list-for-its-owner-only", "protocol/files/text_file.cpp",
+    at_length("list-for-its-owner-only", "protocol/files/file_replacement.cpp",
               "kPublicRights = 0644", "kPublicRights = 0600",
               "no web server can publish the list",
               "TextFileTest.OnlyAPublicFileCanBeReadByOthersWhenItIsNew"),

@@ -9,7 +9,7 @@
 
 namespace platon {
 
-/// Makes `program`, whose shaders have kFaceGeometry, that of the following draw calls, which draw on this face.
+/// Makes `program`, whose shaders include face.glsl, that of the following draw calls, which draw on this face.
 void useOnFace(ShaderProgram& program, const StageModel& stage, const FaceView& view);
 
 /// How bright a face is: brightest where it faces the light, which moves with the camera.

@@ -29,14 +29,14 @@ class FaultyServer {
   ServerAddress address() const { return {"127.0.0.1", host_.address().port}; }
 
   void step(TimePoint now) {
-    for (const HostEvent& event : host_.service(momentOf(now))) take(event);
+    for (const HostEvent& event : host_.service(timeOf(now))) take(event);
     if (clock_.take(now)) match_.tick();
     for (const Outgoing& message : match_.takeOutgoing()) {
       std::vector<std::uint8_t> bytes(message.bytes.begin(), message.bytes.end());
       flipper_(bytes);
       host_.send(message.client, message.reliable, bytes);
     }
-    host_.flush(momentOf(now));
+    host_.flush(timeOf(now));
   }
 
  private:
@@ -46,7 +46,7 @@ class FaultyServer {
     host_.admit(event.client);
   }
 
-  Host host_{std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, momentOf(kStart)};
+  Host host_{std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, timeOf(kStart)};
   Match match_{LevelRotation({endlessLevel()}), {4, "Test"}};
   TickClock clock_{kStart};
   InputFlipper flipper_{60, 0, {}};

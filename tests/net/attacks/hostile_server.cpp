@@ -24,7 +24,7 @@ void HostileServer::run(std::chrono::milliseconds time, const Attack& attack) {
 
 void HostileServer::step(const Attack& attack) {
   now_ += std::chrono::milliseconds(1);
-  if (!deaf_) serve();
+  serve();
   if (joined_) {
     attack(*this);
     ++calls_;

@@ -37,8 +37,6 @@ class HostileServer {
   void sendContent(ByteSpan content) { host_.gate().send({1, 0}, content, now_); }
   /// Sends a datagram as it is.
   void sendDatagram(ByteSpan datagram);
-  /// From now on the server acknowledges nothing.
-  void becomeDeaf() { deaf_ = true; }
   /// Number of this call of the attack, from 0.
   std::uint32_t call() const { return calls_; }
 
@@ -61,7 +59,6 @@ class HostileServer {
   Controls controls_ = pressing(1);
   std::optional<Session> session_;  // once connected
   std::optional<ClientId> joined_;
-  bool deaf_ = false;
   std::uint32_t calls_ = 0;
   std::int64_t heap_ = 0;
   std::int64_t highest_ = 0;

@@ -258,9 +258,9 @@ class BannedAddressTest : public testing::Test {
   void knock(const SocketAddress& own) {
     ClientGate client(network_.socket(own), {kServer}, {}, KeyPair::random());
     for (int roundTrip = 0; roundTrip < 3; ++roundTrip) {
-      client.update(momentOf(now_));
+      client.update(timeOf(now_));
       server_.step(now_);
-      client.receive(momentOf(now_));
+      client.receive(timeOf(now_));
     }
     EXPECT_EQ(client.state(), ClientGate::State::kRefused);
   }
@@ -299,13 +299,13 @@ TEST_F(BannedAddressTest, TheLogTellsOfTheFirstRefusalOfEachHousehold) {
 TEST_F(BannedAddressTest, AForgedAddressIsNotLogged) {
   ClientGate client(network_.socket(addressAt("203.0.113.1", 4000)), {kServer}, {}, KeyPair::random());
   for (int roundTrip = 0; roundTrip < 3; ++roundTrip) {
-    client.update(momentOf(now_));
+    client.update(timeOf(now_));
     server_.step(now_);
-    client.receive(momentOf(now_));
+    client.receive(timeOf(now_));
   }
   ASSERT_EQ(client.state(), ClientGate::State::kOpen);
   network_.setFilter([](const auto& each) { return each.to != kServer; });
-  client.send(Bytes(40), momentOf(now_));
+  client.send(Bytes(40), timeOf(now_));
   network_.inject(addressAt("192.0.2.7", 4000), kServer, network_.sent().back().bytes);
   server_.step(now_);
   network_.setFilter({});
@@ -322,7 +322,7 @@ TEST_F(BannedAddressTest, AConnectionFromBeforeTheBanCannotJoin) {
     for (int ms = 0; ms < 20000 && client.state() != state; ++ms) {
       now_ += 1ms;
       server_.step(now_);
-      client.service(momentOf(now_), [&](std::span<const std::uint8_t> bytes) {
+      client.service(timeOf(now_), [&](std::span<const std::uint8_t> bytes) {
         if (auto message = decodeToClient({bytes.begin(), bytes.end()})) received.push_back(std::move(*message));
       });
     }

@@ -91,7 +91,7 @@ class RoamingTest : public testing::Test {
   void run() {
     for (int step = 0; step < 60; ++step) {
       now_ += 10ms;
-      for (const auto& player : players_) player->step(momentOf(now_));
+      for (const auto& player : players_) player->step(timeOf(now_));
       server_.step(now_);
     }
     network_.forgetSent();
