@@ -215,7 +215,7 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
         {[this] { clickOn("Join a server"); }, [&] { return meanwhile(shows("Address")); }},
         {[&] { xdotool("type " + address); }, [&] { return meanwhile(true); }},
         {[this] { clickOn("Join"); }, [&] { return meanwhile(server.players() == 2 && isOnGround() && inGame()); }},
-        {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Talk")); }},
+        {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Send")); }},
         {[] { xdotool("type hello"); }, [&] { return meanwhile(true); }},
         {[] { xdotool("key Return"); }, [&] { return meanwhile(hears(grace, ": hello") && inGame()); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Wave")); }},
