@@ -234,7 +234,7 @@ constexpr std::array kSettings{
             .line = 17,
             .value = SettingNumber{.member = member<&S::gameSpeed>(), .min = 50, .max = 100, .step = 5, .percent = 1},
             .group = Group::kGame,
-            .label = "Game speed when alone",
+            .label = "Game speed, alone",
             .inMotion = true,
             .onlyAlone = true},
     Setting{.name = "first-keys", .line = 21, .value = SettingFlag{member<&S::firstKeys>()}, .group = Group::kHidden},

@@ -240,8 +240,8 @@ TEST_F(SettingsFileTest, APipeInPlaceOfTheFileIsNotWaitedFor) {
   SettingsFile file(folder_);
   EXPECT_EQ(file.load().text(), Settings().text());
   EXPECT_EQ(file.fault(), path_.string() +
-                              " cannot be read: it is a pipe, not a regular file; remove it or make it a "
-                              "readable file; the settings are not saved");
+                              " cannot be read: it is a pipe, not a regular file; make it readable "
+                              "or remove it; the settings are not saved");
   file.save(Settings());
   EXPECT_TRUE(fs::is_fifo(path_));
 }

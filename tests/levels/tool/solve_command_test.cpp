@@ -51,7 +51,7 @@ class SolveCommandTest : public testing::Test {
 TEST_F(SolveCommandTest, WritesARecordingThatReachesTheGoal) {
   const ProcessResult result = run("crossing.level -o way.recording");
   EXPECT_EQ(result.exitCode, 0) << result.errors;
-  EXPECT_NE(result.output.find("1 crossings"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("1 crossing,"), std::string::npos) << result.output;
   const auto bytes = readBytes(folder_ / "way.recording");
   const sim::Verification found = sim::Verifier(bytes).run();
   EXPECT_EQ(found.fault, "");
