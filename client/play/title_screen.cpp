@@ -146,7 +146,7 @@ void TitleScreen::drawMenu(const Frame& frame) {
   const std::shared_ptr<const Level> level = front_.shownLevel();
   if (level) turntable_.show(level);
   Overlay menu = desk_->menu.overlay(view.font(), false);
-  if (!turntable_.shows()) return view.draw(nullptr, {}, settings, menu, frame.seconds);
+  if (!turntable_.shows()) return view.draw(nullptr, HudStatus(), settings, menu, frame.seconds);
   if (!settings.comfort.reducedMotion) turntable_.advance(frame.seconds);
   const float width = view.screenWidth();
   const float scale = view.textScale(settings);

@@ -21,7 +21,9 @@ constexpr double kFrameSeconds = double{1} / 60;
 
 double toMilliseconds(Time moment) { return 1000 * toSeconds(moment); }
 
-void drawOn(GameView& view, const Scene& scene) { view.draw(&scene, {}, Settings(), Overlay(), kFrameSeconds); }
+void drawOn(GameView& view, const Scene& scene) {
+  view.draw(&scene, HudStatus(), Settings(), Overlay(), kFrameSeconds);
+}
 
 }  // namespace
 
