@@ -47,14 +47,18 @@ TEST(GoalDistance, DecreasesTowardsTheGoal) {
   }
 }
 
-// A room on face 0, from x = -220 to 220 and from y = -200 to -100, with the goal at its right end.
-std::shared_ptr<const Level> roomWith(const std::string& segments) {
-  const LevelResult result = loadLevel(
-      "HEXAHEDRON\n0 -150 -180 0\n0 160 -180\n480\n%\n"
-      "-220 -200 220 -200\n220 -200 220 -100\n220 -100 -220 -100\n-220 -100 -220 -200\n" +
-      segments + "\n%\n%\n%\n%\n%\n");
+// A level of the cube with this start, goal and walls on face 0; a line of its own for each.
+std::shared_ptr<const Level> roomOf(const std::string& start, const std::string& goal, const std::string& walls) {
+  const LevelResult result =
+      loadLevel("HEXAHEDRON\n0 " + start + " 0\n0 " + goal + "\n480\n%\n" + walls + "%\n%\n%\n%\n%\n");
   if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
   return result.level;
+}
+
+// A room on face 0, from x = -220 to 220 and from y = -200 to -100, with the goal at its right end.
+std::shared_ptr<const Level> roomWith(const std::string& segments) {
+  return roomOf("-150 -180", "160 -180",
+                "-220 -200 220 -200\n220 -200 220 -100\n220 -100 -220 -100\n-220 -100 -220 -200\n" + segments + "\n");
 }
 
 std::int32_t fromStart(const std::string& segments, std::uint32_t open = 0) {
@@ -95,12 +99,8 @@ constexpr int kMaxTicksStill = 2 * kTicksPerSecond;
 
 // A closed room on face 0 with its goal at the right, and these segments in it.
 std::shared_ptr<const Level> roomLevel(const std::string& segments) {
-  const LevelResult result = loadLevel(
-      "HEXAHEDRON\n0 -60 -185 0\n0 95 -180\n480\n%\n"
-      "-120 -200 120 -200\n120 -200 120 -140\n120 -140 -120 -140\n-120 -140 -120 -200\n" +
-      segments + "%\n%\n%\n%\n%\n");
-  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
-  return result.level;
+  return roomOf("-60 -185", "95 -180",
+                "-120 -200 120 -200\n120 -200 120 -140\n120 -140 -120 -140\n-120 -140 -120 -200\n" + segments);
 }
 
 // Returns whether the player finishes within this number of ticks.

@@ -59,6 +59,16 @@ class FrontPagesTest : public testing::Test {
     writeText(ghostsFolder() / "Anna.recording", recording);
     return ghostsFolder() / "Anna.recording";
   }
+  // Shows the page of a run on a level that is not of the game, and returns the text of that level.
+  std::string showRunOnAnotherLevel() {
+    FollowedGame game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+    game.hold(30, 0);
+    game.holdToGoal(300, Input::kRight);
+    const std::vector<std::uint8_t>& bytes = game.run.value().recording;
+    pages_.showRun(keepGhost({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+    EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
+    return game.game.level().text;
+  }
 
   const TemporaryFolder folder_;
   const EnvironmentVariable cache_{"XDG_CACHE_HOME", folder_.path().string()};
@@ -220,27 +230,17 @@ TEST_F(FrontPagesTest, ARaceOnALevelOfTheGameStartsItAndTheOthersFollow) {
 }
 
 TEST_F(FrontPagesTest, ARaceOnAnotherLevelTakesItFromTheRecording) {
-  FollowedGame game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
-  game.hold(30, 0);
-  game.holdToGoal(300, Input::kRight);
-  const std::vector<std::uint8_t>& bytes = game.run.value().recording;
-  pages_.showRun(keepGhost({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
-  EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
+  const std::string text = showRunOnAnotherLevel();
   tap(Key::kArrowDown);
   tap(Key::kEnter);
   ASSERT_TRUE(started_);
   ASSERT_EQ(started_->own.levels.size(), 1U);
-  EXPECT_EQ(readText(started_->own.levels[0]), game.game.level().text);
+  EXPECT_EQ(readText(started_->own.levels[0]), text);
 }
 
 // The level was written to the folder in which the program was started.
 TEST_F(FrontPagesTest, WithoutAFolderOfTheUserARaceOnAnotherLevelSaysSoAndWritesNothing) {
-  FollowedGame game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
-  game.hold(30, 0);
-  game.holdToGoal(300, Input::kRight);
-  const std::vector<std::uint8_t>& bytes = game.run.value().recording;
-  pages_.showRun(keepGhost({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
-  EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
+  showRunOnAnotherLevel();
   const EnvironmentVariable home("HOME", std::nullopt);
   cache_.set(std::nullopt);
   tap(Key::kArrowDown);
