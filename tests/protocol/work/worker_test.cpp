@@ -95,15 +95,18 @@ TEST(Worker, TheEndStopsTheJobAndWaitsForIt) {
 }
 
 TEST(Worker, AJobThatDoesNotEndIsNotWaitedForLonger) {
+  const auto begun = std::make_shared<std::atomic<bool>>(false);
   const auto goesOn = std::make_shared<std::atomic<bool>>(false);
   const auto ended = std::make_shared<std::atomic<bool>>(false);
   {
     Worker<int> worker(startThread, 1ms);
-    worker.add([goesOn, ended](const std::stop_token&) {
+    worker.add([begun, goesOn, ended](const std::stop_token&) {
+      *begun = true;
       waitUntil([&] { return goesOn->load(); });
       *ended = true;
       return 0;
     });
+    EXPECT_TRUE(waitUntil([&] { return begun->load(); })) << "a job that waits would be dropped";
     EXPECT_FALSE(worker.finish(1ms));
   }
   EXPECT_FALSE(*ended);
