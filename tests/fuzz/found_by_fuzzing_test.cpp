@@ -10,7 +10,7 @@
 #include "protocol/transport/sealed_channel.h"
 #include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/fuzz_scene.h"
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/raw_content.h"
 
 namespace platon::fuzz::found_by_fuzzing_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "protocol/transport/server_gate.h"
 #include "tests/fuzz/fixed_random.h"
 #include "tests/fuzz/fuzz_targets.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::fuzz {
 

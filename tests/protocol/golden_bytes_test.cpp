@@ -7,10 +7,10 @@
 #include <sstream>
 #include <string>
 
+#include "tests/net/support/hex.h"
 #include "tests/protocol/documented_bytes.h"
 #include "tests/protocol/sample_messages.h"
 #include "tests/support/files.h"
-#include "tests/support/transport/hex.h"
 
 namespace platon::golden_bytes_test {
 namespace {

@@ -1,17 +1,26 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "server/match/level_rotation.h"
+#include "platon/game/level.h"
 
 namespace platon {
+
+/// The level with this text. Throws std::logic_error if it is invalid.
+std::shared_ptr<const Level> levelOf(const std::string& text);
+
+/// A hexahedron with a floor on each face, which makes face 5 unreachable. The goal is on the floor to the right of the
+/// start.
+std::shared_ptr<const Level> flatLevel();
+/// Like flatLevel, but the goal is on the next face to the right, behind a low segment.
+std::shared_ptr<const Level> cornerLevel();
+/// Like flatLevel, but the goal is unreachable.
+std::shared_ptr<const Level> endlessLevel();
 
 /// Text of a level: a hexahedron with a floor under the start and the goal on the opposite face.
 std::string farGoalText();
 /// The same with the goal at the start, so that a round ends in its first tick with a player.
 std::string nearGoalText();
-
-/// Throws std::runtime_error if the level is invalid.
-LevelPointer levelOf(const std::string& text);
 
 }  // namespace platon

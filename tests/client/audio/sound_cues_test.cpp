@@ -11,7 +11,7 @@
 #include "client/netcode/prediction.h"
 #include "platon/game/player_motion.h"
 #include "tests/client/audio/observed_player.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::sound_cues_test {
 namespace {

@@ -11,12 +11,12 @@
 #include "server/app/ticks.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
+#include "tests/net/support/input_flipper.h"
+#include "tests/net/support/loopback_server.h"
 #include "tests/sim/verify/verification.h"
 #include "tests/support/files.h"
-#include "tests/support/input_flipper.h"
-#include "tests/support/loopback_server.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::bot_fleet_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/support/loopback_server.h"
+#include "tests/net/support/loopback_server.h"
 
 namespace platon::bot_test {
 namespace {

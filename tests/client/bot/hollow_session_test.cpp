@@ -10,7 +10,7 @@
 #include "client/bot/button_presser.h"
 #include "client/net/network_conditions.h"
 #include "server/match/match.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::hollow_session_test {
 namespace {

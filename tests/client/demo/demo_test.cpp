@@ -9,7 +9,7 @@
 
 #include "client/lobby/shipped_levels.h"
 #include "tests/support/files.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::demo_test {
 namespace {

@@ -6,7 +6,7 @@
 #include "protocol/limits.h"
 #include "tests/sim/verify/verification.h"
 #include "tests/support/flipped_bit.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::desync_detector_test {
 namespace {

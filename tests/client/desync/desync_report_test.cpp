@@ -12,7 +12,7 @@
 #include "tests/support/flipped_bit.h"
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::desync_report_test {
 namespace {

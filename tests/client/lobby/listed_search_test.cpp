@@ -7,7 +7,7 @@
 #include <set>
 
 #include "protocol/limits.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::listed_search_test {
 namespace {

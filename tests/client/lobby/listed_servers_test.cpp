@@ -13,8 +13,8 @@
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "tests/client/lobby/web_server.h"
-#include "tests/support/test_level.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/support/test_levels.h"
 #include "tests/support/wait_until.h"
 
 namespace platon::listed_servers_test {

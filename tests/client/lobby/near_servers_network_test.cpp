@@ -10,8 +10,8 @@
 #include "client/time/steady_now.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
-#include "tests/support/test_level.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::near_servers_network_test {
 namespace {

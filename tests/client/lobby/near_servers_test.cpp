@@ -8,7 +8,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/transport/socket_address.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::near_servers_test {
 namespace {

@@ -9,7 +9,7 @@
 #include "protocol/transport/server_identity.h"
 #include "protocol/version_text.h"
 #include "server/net/host.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::connection_test {
 namespace {

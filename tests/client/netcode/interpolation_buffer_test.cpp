@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::interpolation_buffer_test {
 namespace {

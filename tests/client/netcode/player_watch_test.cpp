@@ -11,7 +11,7 @@
 #include "platon/game/game.h"
 #include "tests/levels/shipped_level.h"
 #include "tests/support/files.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::player_watch_test {
 namespace {

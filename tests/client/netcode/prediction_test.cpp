@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "client/bot/button_presser.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::prediction_test {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "client/replay/run_keeper.h"
 #include "tests/client/replay/replay_of.h"
+#include "tests/net/support/session_network.h"
 #include "tests/support/files.h"
-#include "tests/support/session_network.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::ghost_lockstep_test {
 namespace {

@@ -10,12 +10,12 @@
 
 #include "platon/game/state_difference.h"
 #include "protocol/transfer.h"
+#include "tests/net/support/input_flipper.h"
+#include "tests/net/support/pressing.h"
+#include "tests/net/support/session_network.h"
 #include "tests/sim/verify/verification.h"
 #include "tests/support/flipped_bit.h"
-#include "tests/support/input_flipper.h"
-#include "tests/support/pressing.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::desync_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::known_levels_test {
 namespace {

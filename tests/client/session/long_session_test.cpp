@@ -7,9 +7,9 @@
 
 #include "client/bot/button_presser.h"
 #include "tests/exactness/step_check/run_length.h"
+#include "tests/net/support/session_network.h"
 #include "tests/support/run/repetitions.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::long_session_test {
 namespace {

@@ -7,7 +7,7 @@
 #include "protocol/limits.h"
 #include "protocol/to_client.h"
 #include "protocol/transport/udp_socket.h"
-#include "tests/support/loopback_server.h"
+#include "tests/net/support/loopback_server.h"
 
 namespace platon::other_release_test {
 namespace {

@@ -17,7 +17,7 @@
 #include "server/net/host.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::outage_test {
 namespace {

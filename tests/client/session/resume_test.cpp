@@ -8,9 +8,9 @@
 #include <variant>
 
 #include "client/bot/button_presser.h"
+#include "tests/net/support/session_network.h"
 #include "tests/support/run/repetitions.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::resume_test {
 namespace {

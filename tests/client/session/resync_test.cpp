@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "client/bot/button_presser.h"
-#include "tests/support/input_flipper.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/net/support/input_flipper.h"
+#include "tests/net/support/session_network.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::resync_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::round_test {
 namespace {

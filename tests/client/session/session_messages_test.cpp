@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "client/session/session.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::session_messages_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "tests/support/pressing.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/net/support/pressing.h"
+#include "tests/net/support/session_network.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::session_rounds_test {
 namespace {

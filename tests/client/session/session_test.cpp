@@ -9,9 +9,9 @@
 
 #include "client/netcode/player_watch.h"
 #include "client/netcode/prediction.h"
-#include "tests/support/pressing.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/net/support/pressing.h"
+#include "tests/net/support/session_network.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::session_test {
 namespace {

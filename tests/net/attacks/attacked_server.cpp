@@ -1,6 +1,6 @@
 #include "tests/net/attacks/attacked_server.h"
 
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon {
 namespace {

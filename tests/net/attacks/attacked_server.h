@@ -8,7 +8,7 @@
 #include "server/app/dedicated_server.h"
 #include "tests/net/attacks/buffered_socket.h"
 #include "tests/net/attacks/heap_bytes.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon {
 

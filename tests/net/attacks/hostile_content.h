@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/raw_content.h"
 
 namespace platon {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tests/net/attacks/heap_bytes.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon {
 namespace {

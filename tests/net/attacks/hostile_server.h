@@ -8,8 +8,8 @@
 #include "client/session/session.h"
 #include "server/net/host.h"
 #include "tests/net/attacks/buffered_socket.h"
-#include "tests/support/pressing.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/net/support/pressing.h"
 
 namespace platon {
 

@@ -2,7 +2,7 @@
 
 #include <enet/enet.h>
 
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/raw_content.h"
 
 namespace platon {
 namespace {

@@ -6,7 +6,7 @@
 #include "protocol/transport/enet_layer.h"
 #include "tests/net/attacks/hostile_player.h"
 #include "tests/net/attacks/hostile_session.h"
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/raw_content.h"
 
 namespace platon {
 namespace {

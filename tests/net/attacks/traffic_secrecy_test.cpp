@@ -8,7 +8,7 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "server/net/host.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::traffic_secrecy_test {
 namespace {

@@ -6,7 +6,7 @@
 #include "client/net/connection.h"
 #include "client/session/session.h"
 #include "client/time/steady_now.h"
-#include "tests/support/pressing.h"
+#include "tests/net/support/pressing.h"
 
 namespace platon {
 namespace {

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/support/pressing.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/net/support/pressing.h"
+#include "tests/net/support/session_network.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::system_matrix_test {
 namespace {

@@ -13,7 +13,7 @@
 #include "protocol/transport/server_address.h"
 #include "protocol/transport/udp_socket.h"
 #include "tests/client/lobby/web_server.h"
-#include "tests/support/enet_client.h"
+#include "tests/net/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/process.h"
-#include "tests/support/server_fixture.h"
 
 namespace platon::bots_test {
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon::passwords_test {

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon::playing_test {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/process.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 

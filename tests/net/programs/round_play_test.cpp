@@ -8,9 +8,9 @@
 #include "client/time/steady_now.h"
 #include "protocol/transport/server_address.h"
 #include "server/times/best_times.h"
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 

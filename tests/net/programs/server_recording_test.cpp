@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/net/support/served_metrics.h"
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
-#include "tests/support/served_metrics.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 

@@ -6,7 +6,7 @@
 
 #include "client/net/connection.h"
 #include "server/net/host.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::overflow_test {
 namespace {

@@ -6,7 +6,6 @@
 #include "client/time/steady_now.h"
 #include "server/app/level_files.h"
 #include "tests/net/attacks/heap_bytes.h"
-#include "tests/support/test_level.h"
 #include "tests/support/test_levels.h"
 
 namespace platon {

@@ -12,7 +12,7 @@
 
 #include "tests/net/attacks/attacked_server.h"
 #include "tests/net/soak/soak_bot.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon {
 

@@ -12,7 +12,7 @@
 #include "client/session/session.h"
 #include "tests/net/soak/input_check.h"
 #include "tests/net/soak/soak_client.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon {
 

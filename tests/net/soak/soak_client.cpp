@@ -4,7 +4,7 @@
 
 #include "client/bot/button_presser.h"
 #include "client/bot/hollow_session.h"
-#include "tests/support/pressing.h"
+#include "tests/net/support/pressing.h"
 
 namespace platon {
 namespace {

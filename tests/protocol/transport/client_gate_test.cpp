@@ -4,7 +4,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/transport/server_gate.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon::client_gate_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/limits.h"
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/raw_content.h"
 
 namespace platon::enet_layer_test {
 namespace {

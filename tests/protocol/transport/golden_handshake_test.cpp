@@ -6,8 +6,8 @@
 #include "protocol/transport/handshake.h"
 #include "protocol/transport/sealed_channel.h"
 #include "protocol/transport/server_identity.h"
+#include "tests/net/support/hex.h"
 #include "tests/protocol/documented_bytes.h"
-#include "tests/support/transport/hex.h"
 
 namespace platon::golden_handshake_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/transport/hex.h"
+#include "tests/net/support/hex.h"
 
 namespace platon::noise_test {
 namespace {

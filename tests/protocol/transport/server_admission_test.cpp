@@ -9,8 +9,8 @@
 #include "protocol/limits.h"
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/server_gate.h"
-#include "tests/support/transport/datagram_network.h"
-#include "tests/support/transport/server_gate_fixture.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/net/support/server_gate_fixture.h"
 
 namespace platon::server_admission_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/transport/client_gate.h"
-#include "tests/support/transport/server_gate_fixture.h"
+#include "tests/net/support/server_gate_fixture.h"
 
 namespace platon::server_gate_test {
 namespace {

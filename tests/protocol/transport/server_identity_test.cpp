@@ -16,10 +16,10 @@
 
 #include "protocol/files/descriptor.h"
 #include "protocol/program_error.h"
+#include "tests/net/support/hex.h"
 #include "tests/support/files.h"
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/transport/hex.h"
 
 namespace platon::server_identity_test {
 namespace {

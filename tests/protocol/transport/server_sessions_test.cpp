@@ -6,7 +6,7 @@
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/sealed_channel.h"
 #include "protocol/transport/server_gate.h"
-#include "tests/support/transport/server_gate_fixture.h"
+#include "tests/net/support/server_gate_fixture.h"
 
 namespace platon::server_sessions_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/support/transport/datagram_network.h"
-#include "tests/support/transport/raw_socket.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/net/support/raw_socket.h"
 
 namespace platon::udp_socket_test {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "client/net/connection.h"
 #include "protocol/transport/client_gate.h"
-#include "tests/support/enet_client.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/net/support/enet_client.h"
+#include "tests/net/support/raw_socket.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/transport/datagram_network.h"
-#include "tests/support/transport/raw_socket.h"
 #include "tests/support/wait_until.h"
 
 namespace platon::dedicated_server_test {

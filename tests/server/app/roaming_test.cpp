@@ -6,8 +6,8 @@
 
 #include "client/net/connection.h"
 #include "server/app/dedicated_server.h"
+#include "tests/net/support/datagram_network.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/transport/datagram_network.h"
 
 namespace platon::roaming_test {
 namespace {

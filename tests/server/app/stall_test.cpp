@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/bot/bot.h"
-#include "tests/support/loopback_server.h"
+#include "tests/net/support/loopback_server.h"
 
 namespace platon::stall_test {
 namespace {

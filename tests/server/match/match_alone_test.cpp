@@ -3,9 +3,9 @@
 
 #include "protocol/limits.h"
 #include "server/match/match.h"
+#include "tests/net/support/fake_client.h"
+#include "tests/net/support/fake_client_network.h"
 #include "tests/server/match/kept_times.h"
-#include "tests/support/fake_client.h"
-#include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
 namespace platon::match_alone_test {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "server/match/match.h"
-#include "tests/support/fake_client.h"
-#include "tests/support/fake_client_network.h"
+#include "tests/net/support/fake_client.h"
+#include "tests/net/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
 namespace platon::match_control_test {

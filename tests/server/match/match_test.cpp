@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/support/fake_client.h"
-#include "tests/support/fake_client_network.h"
+#include "tests/net/support/fake_client.h"
+#include "tests/net/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
 namespace platon::match_test {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "server/match/match.h"
+#include "tests/net/support/fake_client.h"
+#include "tests/net/support/fake_client_network.h"
 #include "tests/sim/verify/verification.h"
-#include "tests/support/fake_client.h"
-#include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
 namespace platon::played_round_test {

@@ -7,9 +7,9 @@
 
 #include "client/net/connection.h"
 #include "server/net/host.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/net/support/raw_content.h"
 #include "tests/server/net/hostile_client.h"
-#include "tests/support/transport/datagram_network.h"
-#include "tests/support/transport/raw_content.h"
 
 namespace platon {
 

@@ -7,8 +7,8 @@
 
 #include "protocol/transport/client_gate.h"
 #include "server/net/host.h"
-#include "tests/support/transport/datagram_network.h"
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/datagram_network.h"
+#include "tests/net/support/raw_content.h"
 
 namespace platon {
 

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "protocol/to_server.h"
+#include "tests/net/support/enet_client.h"
+#include "tests/net/support/server_fixture.h"
 #include "tests/server/fleet/fake_sidecar.h"
-#include "tests/support/enet_client.h"
 #include "tests/support/environment_variable.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/wait_until.h"
 
 namespace platon::agones_program_test {

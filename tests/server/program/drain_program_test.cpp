@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "protocol/to_server.h"
-#include "tests/support/enet_client.h"
-#include "tests/support/server_fixture.h"
+#include "tests/net/support/enet_client.h"
+#include "tests/net/support/server_fixture.h"
 #include "tests/support/wait_until.h"
 
 namespace platon::drain_program_test {

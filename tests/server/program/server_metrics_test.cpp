@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "platon_version.h"
+#include "tests/net/support/enet_client.h"
+#include "tests/net/support/raw_socket.h"
 #include "tests/server/metrics_reader.h"
-#include "tests/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/transport/raw_socket.h"
 #include "tests/support/wait_until.h"
 
 namespace platon::server_metrics_test {

@@ -8,11 +8,11 @@
 
 #include "protocol/transport/socket_address.h"
 #include "server/program/options.h"
-#include "tests/support/enet_client.h"
+#include "tests/net/support/enet_client.h"
+#include "tests/net/support/served_metrics.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
-#include "tests/support/served_metrics.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
 #include "tests/support/wait_until.h"

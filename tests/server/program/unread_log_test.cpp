@@ -9,7 +9,7 @@
 #include <string>
 
 #include "server/program/async_line_writer.h"
-#include "tests/support/enet_client.h"
+#include "tests/net/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "tests/net/support/server_fixture.h"
 #include "tests/server/service/fake_manager.h"
 #include "tests/support/environment_variable.h"
-#include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 

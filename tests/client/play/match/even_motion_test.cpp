@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "client/play/match/session_feeds.h"
-#include "tests/support/session_network.h"
-#include "tests/support/test_level.h"
+#include "tests/net/support/session_network.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::even_motion_test {
 namespace {

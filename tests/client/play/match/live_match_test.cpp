@@ -26,9 +26,9 @@
 #include "server/admin/console.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
+#include "tests/net/support/loopback_server.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
-#include "tests/support/loopback_server.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 

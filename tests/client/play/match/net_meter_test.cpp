@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/loopback_server.h"
+#include "tests/net/support/loopback_server.h"
 
 namespace platon::net_meter_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon::local_game_test {
 namespace {

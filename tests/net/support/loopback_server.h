@@ -11,7 +11,7 @@
 #include "client/time/steady_now.h"
 #include "protocol/transport/server_address.h"
 #include "server/app/dedicated_server.h"
-#include "tests/support/test_level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon {
 

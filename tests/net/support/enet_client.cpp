@@ -1,4 +1,4 @@
-#include "tests/support/enet_client.h"
+#include "tests/net/support/enet_client.h"
 
 #include "client/time/steady_now.h"
 #include "protocol/transport/udp_socket.h"

@@ -1,4 +1,4 @@
-#include "tests/support/virtual_network.h"
+#include "tests/net/support/virtual_network.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tests/support/transport/hex.h"
+#include "tests/net/support/hex.h"
 
 #include <sodium.h>
 

@@ -1,4 +1,4 @@
-#include "tests/support/transport/raw_socket.h"
+#include "tests/net/support/raw_socket.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -10,7 +10,7 @@
 #include "client/net/network_conditions.h"
 #include "protocol/time.h"
 #include "server/match/match.h"
-#include "tests/support/virtual_client.h"
+#include "tests/net/support/virtual_client.h"
 
 namespace platon {
 

@@ -1,4 +1,4 @@
-#include "tests/support/fake_client_network.h"
+#include "tests/net/support/fake_client_network.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "tests/support/session_network.h"
+#include "tests/net/support/session_network.h"
 
 #include <gtest/gtest.h>
 

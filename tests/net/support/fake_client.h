@@ -13,7 +13,7 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transfer.h"
-#include "tests/support/virtual_client.h"
+#include "tests/net/support/virtual_client.h"
 
 namespace platon {
 

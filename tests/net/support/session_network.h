@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "client/session/session.h"
-#include "tests/support/virtual_network.h"
+#include "tests/net/support/virtual_network.h"
 
 namespace platon {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "client/net/connection.h"
-#include "tests/support/fake_client.h"
+#include "tests/net/support/fake_client.h"
 
 namespace platon {
 

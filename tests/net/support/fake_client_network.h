@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <deque>
 
-#include "tests/support/fake_client.h"
-#include "tests/support/virtual_network.h"
+#include "tests/net/support/fake_client.h"
+#include "tests/net/support/virtual_network.h"
 
 namespace platon {
 

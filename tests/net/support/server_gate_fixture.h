@@ -9,7 +9,7 @@
 
 #include "protocol/transport/client_gate.h"
 #include "protocol/transport/server_gate.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/net/support/datagram_network.h"
 
 namespace platon {
 

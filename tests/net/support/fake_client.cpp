@@ -1,4 +1,4 @@
-#include "tests/support/fake_client.h"
+#include "tests/net/support/fake_client.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tests/support/transport/raw_content.h"
+#include "tests/net/support/raw_content.h"
 
 #include <arpa/inet.h>
 #include <enet/enet.h>
