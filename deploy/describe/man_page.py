@@ -5,10 +5,28 @@ import re
 TITLES = {"Positionals": "ARGUMENTS"}
 EXIT_STATUS = (
     ("0", "Done."),
-    ("1", "Failed, or a check did not hold."),
+    ("1", "Failed, such as on a port in use, or a check did not hold."),
     ("2", "Wrong usage or configuration."),
     ("3", "An invalid level, recording or scene."),
 )
+# What programs keep where, if nobody tells them another place.
+FILES = {
+    "platon-client": (
+        ("~/.config/platon", "Settings and keys, in $XDG_CONFIG_HOME if that is set."),
+        ("~/.local/share/platon", "Runs, ghosts, best times, reached levels, known servers and reports of desyncs, in "
+                                  "$XDG_DATA_HOME if that is set."),
+        ("~/.local/state/platon", "The servers joined last, in $XDG_STATE_HOME if that is set."),
+        ("~/.cache/platon", "Levels that servers have sent and levels of races, in $XDG_CACHE_HOME if that is set."),
+    ),
+    "platon-server": (
+        ("/etc/platon/server.toml", "The configuration of the service platon-server."),
+        ("/var/lib/platon", "The key of the service, its bans, best times and recordings."),
+        ("/run/platon", "The socket of its console."),
+    ),
+}
+PROGRAMS = {"platon-client": "6", "platon-server": "8", "platon-level": "1", "platon-bot": "1", "platon-sim": "1",
+            "platon-bench": "1"}
+PAGES = "/usr/share/doc/platon-data/docs"
 MANUALS = {"1": "Tools of Platon", "6": "Games", "8": "System administration"}
 
 
@@ -41,6 +59,15 @@ def _body(page):
     return groups + (f".SH COMMANDS\n{commands}" if commands else "")
 
 
+def _terms(title, rows):
+    return f".SH {title}\n" + "".join(f".TP\n.B {escape(term)}\n{escape(text)}\n" for term, text in rows)
+
+
+def _see_also(name):
+    others = [f".BR {escape(other)} ({section})" for other, section in PROGRAMS.items() if other != name]
+    return ".SH SEE ALSO\n" + ",\n".join(others) + f"\n.PP\nThe pages in\n.BR {PAGES} .\n"
+
+
 def man_page(page, section, version):
     """The text of the page."""
     summary = page.summary.partition(". ")[0].rstrip(".")
@@ -50,6 +77,8 @@ def man_page(page, section, version):
         f".SH NAME\n{escape(page.name)} \\- {escape(summary)}\n",
         f".SH SYNOPSIS\n.B {escape(usage)}\n",
         _body(page),
-        ".SH EXIT STATUS\n" + "".join(f".TP\n.B {code}\n{text}\n" for code, text in EXIT_STATUS),
+        _terms("EXIT STATUS", EXIT_STATUS),
+        _terms("FILES", FILES[page.name]) if page.name in FILES else "",
+        _see_also(page.name),
     ]
     return "".join(parts)

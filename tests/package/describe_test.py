@@ -17,9 +17,8 @@ sys.path.insert(0, str(ROOT / "deploy/describe"))
 
 import completions  # noqa: E402
 from help_text import parse, read_help, version_of  # noqa: E402
-from man_page import man_page  # noqa: E402
+from man_page import FILES, PROGRAMS, man_page  # noqa: E402
 
-PROGRAMS = ("platon-client", "platon-server", "platon-bot", "platon-level", "platon-sim", "platon-bench")
 PAGE = """Does what it can. And more.
 Usage: thing [OPTIONS] FILE
 
@@ -69,6 +68,22 @@ class Parts(unittest.TestCase):
         self.assertIn("\n\\&.5 of it\n", page)
         self.assertIn(".SH ARGUMENTS\n.TP\n.B FILE\nA file\n", page)
         self.assertIn(".SH OTHER THINGS\n", page)
+
+    def test_a_man_page_names_files_and_the_other_pages(self):
+        page = parse("platon-server", PAGE.replace("thing", "platon-server"))
+        man = man_page(page, "8", "0.1.0")
+        for path, _ in FILES["platon-server"]:
+            self.assertIn(".SH FILES\n", man)
+            self.assertIn(f".B {path}\n", man)
+        self.assertIn(".SH SEE ALSO\n.BR platon\\-client (6),\n.BR platon\\-level (1),\n", man)
+        self.assertNotIn(".BR platon\\-server (8)", man)
+
+    def test_sections_are_those_that_are_installed(self):
+        text = (ROOT / "deploy/install.cmake").read_text(encoding="utf-8")
+        installed = dict(re.findall(r"platon_install_program\((platon-\w+) COMPONENT \w+ SECTION (\d)", text))
+        for tool in re.search(r"foreach\(tool (.*)\)", text)[1].split():
+            installed[f"platon-{tool}"] = "1"
+        self.assertEqual(PROGRAMS, installed)
 
     def test_completions_quote_texts(self):
         self.assertIn("'--output[Where to; it isn'\\''t read]:FILE:_files'", completions.zsh(self.page))
