@@ -122,7 +122,7 @@ const GoalDistance::Grid& GoalDistance::gridFor(std::uint32_t open) {
 std::vector<GoalDistance::Reached> GoalDistance::sources(std::uint32_t open) {
   std::vector<Reached> sources = {{0, {level_->goalFace, level_->goal}}};
   for (const Element& element : level_->elements) {
-    if (element.kind != ElementKind::kKey || (open & element.bit()) != 0) continue;
+    if (!unlocksDoors(element.kind) || (open & element.bit()) != 0) continue;
     const Place key{element.face, placeOf(element)};
     const std::int32_t left = distanceOn(gridFor(level_->doorNumbers), key);
     if (left != kUnreachable) sources.push_back({left, key});

@@ -51,7 +51,7 @@ void warnOfGoalAtWall(const Level& level, Diagnostics& diagnostics) {
 void warnOfShutDoors(const Level& level, Diagnostics& diagnostics) {
   std::map<std::uint8_t, TextPosition> doors;
   for (const Element& element : level.elements) {
-    if (element.kind != ElementKind::kDoor || (level.doorNumbers & element.bit()) != 0) continue;
+    if (!isDoor(element.kind) || (level.doorNumbers & element.bit()) != 0) continue;
     const TextPosition at = level.positions[element.face][element.segment];
     const auto [first, isNew] = doors.try_emplace(element.number, at);
     if (!isNew && at.line < first->second.line) first->second = at;

@@ -148,6 +148,7 @@ void JumpHeights::touch(const ReachWall& wall) {
   if (isAmong(options_.without, element)) return;
   switch (traitsOf(element.kind).effect) {
     case ElementEffect::kOpen:
+    case ElementEffect::kUnlock:
       opened_ |= element.bit();
       return;
     case ElementEffect::kCheckpoint:

@@ -67,7 +67,7 @@ void Reach::setDoors(const Level& level) {
   std::uint32_t doors = 0;
   std::uint32_t openers = 0;
   for (const Element& element : level.elements) {
-    if (element.kind == ElementKind::kDoor) doors |= element.bit();
+    if (isDoor(element.kind)) doors |= element.bit();
     if (opensDoors(element)) openers |= element.bit();
   }
   open_ = doors & openers;
@@ -207,6 +207,7 @@ void Reach::visit(const ReachVisit& visit) {
       case ElementEffect::kNone:
       case ElementEffect::kSendBack:  // to a checkpoint that was touched, or to the start
       case ElementEffect::kOpen:      // openedBy
+      case ElementEffect::kUnlock:
         break;
     }
   }

@@ -228,6 +228,7 @@ void ReachGrid::add(const ReachWall& wall) {
       return;
     case ElementEffect::kCheckpoint:
     case ElementEffect::kOpen:
+    case ElementEffect::kUnlock:
       break;
   }
   visitNear(wall.line, kTouch, [&](Cell&, const Rect& rect, std::size_t cell) {

@@ -102,7 +102,7 @@ bool LevelSolver::settle(Situation& situation) const {
 std::uint32_t LevelSolver::takenKeys(const Game& game) const {
   std::uint32_t taken = 0;
   for (const Element& element : level_->elements) {
-    if (element.kind == ElementKind::kKey && game.isTaken(element)) taken |= element.bit();
+    if (unlocksDoors(element.kind) && game.isTaken(element)) taken |= element.bit();
   }
   return taken;
 }

@@ -27,9 +27,8 @@ std::optional<ElementWord> needOf(std::string_view text) {
   const std::size_t end = std::min(text.find_first_of(blanks), text.size());
   const auto kind = elementKindOf(text.substr(0, end));
   if (!kind) return std::nullopt;
-  const ElementEffect effect = traitsOf(*kind).effect;
-  if (effect == ElementEffect::kCheckpoint && end == text.size()) return ElementWord{*kind};
-  if (effect != ElementEffect::kOpen || end == text.size()) return std::nullopt;
+  if (isCheckpoint(*kind) && end == text.size()) return ElementWord{*kind};
+  if (!opensDoors(*kind) || end == text.size()) return std::nullopt;
   const std::string_view digits = text.substr(std::min(text.find_first_not_of(blanks, end), text.size()));
   LevelNumber number;
   if (parseNumber(digits, kMaxDoorNumbers - 1, number) != NumberFault::kNone ||

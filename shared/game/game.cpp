@@ -230,8 +230,7 @@ bool Game::accepts(const PlayerState& player) const {
   if (player.startedAt > tick_ || player.finishTicks > tick_) return false;
   if (!inRange(player.velocity, kMaxPlayerSpeed) || !inRange(player.ground, PlayerState::kUnit)) return false;
   if (player.checkpoint == 0) return player.checkpointUp == Angle();
-  return player.checkpoint <= level_->elements.size() &&
-         level_->elements[player.checkpoint - 1U].kind == ElementKind::kCheckpoint;
+  return player.checkpoint <= level_->elements.size() && isCheckpoint(level_->elements[player.checkpoint - 1U].kind);
 }
 
 bool operator==(const Game& a, const Game& b) {

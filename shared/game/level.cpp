@@ -71,7 +71,7 @@ void checkCheckpoints(const LevelDraft& draft, const World& stage, Diagnostics& 
   const Convex shape = clearanceShape();
   std::vector<SegmentRef> near;
   for (const Element& checkpoint : draft.elements) {
-    if (checkpoint.kind != ElementKind::kCheckpoint) continue;
+    if (!isCheckpoint(checkpoint.kind)) continue;
     findOverlaps(stage, checkpoint.face, shape, placeOf(checkpoint), near);
     const auto isInTheWay = [&](const SegmentRef& segment) {
       const Element* const element = findElement(draft.elements, segment.part, segment.index);

@@ -125,9 +125,7 @@ GAME_FAULTS = [
               "a state is accepted whose keys the level does not have",
               "GameRulesTest.StatesThatTheLevelCannotHaveAreRefused"),
     at_length("any-checkpoint-accepted", GAME + "game.cpp",
-              "  return player.checkpoint <= level_->elements.size() &&\n         "
-              "level_->elements[player.checkpoint - 1U].kind == ElementKind::kCheckpoint;",
-              "  return player.checkpoint <= level_->elements.size();",
+              " && isCheckpoint(level_->elements[player.checkpoint - 1U].kind)", "",
               "a state is accepted in which a player returns to a hazard",
               "GameRulesTest.StatesThatTheLevelCannotHaveAreRefused"),
     Fault("restart-to-the-checkpoint", GAME + "game.cpp", "player.startedAt = player.checkpoint = player.arrived = 0;",

@@ -68,6 +68,15 @@ TEST(ElementTest, OnlyHazardsAndPlatesBlockAlways) {
     EXPECT_EQ(blocksAlways(kind), kind == ElementKind::kHazard || kind == ElementKind::kPlate) << wordOf(kind);
 }
 
+TEST(ElementTest, KeysAndPlatesOpenDoorsAndKeysForTheRestOfTheRound) {
+  for (const ElementKind kind : kElementKinds) {
+    EXPECT_EQ(opensDoors(kind), kind == ElementKind::kKey || kind == ElementKind::kPlate) << wordOf(kind);
+    EXPECT_EQ(unlocksDoors(kind), kind == ElementKind::kKey) << wordOf(kind);
+    EXPECT_EQ(isDoor(kind), kind == ElementKind::kDoor) << wordOf(kind);
+    EXPECT_EQ(isCheckpoint(kind), kind == ElementKind::kCheckpoint) << wordOf(kind);
+  }
+}
+
 TEST(ElementTest, IsFoundByFaceAndSegment) {
   std::vector<Element> elements(4);
   elements[0].face = 0, elements[0].segment = 7;

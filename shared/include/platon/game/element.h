@@ -39,7 +39,8 @@ enum class ElementEffect : std::uint8_t {
   kNone,
   kSendBack,    ///< the player returns to its last checkpoint, or to the start
   kCheckpoint,  ///< the player returns there from then on
-  kOpen         ///< opens the doors of its number
+  kOpen,        ///< opens the doors of its number while it is touched
+  kUnlock       ///< opens them for the rest of the round
 };
 
 struct ElementTraits {
@@ -61,7 +62,7 @@ constexpr ElementTraits traitsOf(ElementKind kind) {
     case ElementKind::kCheckpoint:
       return {"checkpoint", ElementNumber::kNone, ElementBlocking::kNobody, ElementEffect::kCheckpoint};
     case ElementKind::kKey:
-      return {"key", ElementNumber::kDoor, ElementBlocking::kNobody, ElementEffect::kOpen};
+      return {"key", ElementNumber::kDoor, ElementBlocking::kNobody, ElementEffect::kUnlock};
     case ElementKind::kDoor:
       return {"door", ElementNumber::kDoor, ElementBlocking::kSome, ElementEffect::kNone};
     case ElementKind::kPlate:
@@ -84,7 +85,15 @@ constexpr bool blocksAlways(ElementKind kind) { return traitsOf(kind).blocking =
 /// Whether it returns who touches it to the last checkpoint, or to the start.
 constexpr bool sendsBack(ElementKind kind) { return traitsOf(kind).effect == ElementEffect::kSendBack; }
 /// Whether it opens the doors of its number.
-constexpr bool opensDoors(ElementKind kind) { return traitsOf(kind).effect == ElementEffect::kOpen; }
+constexpr bool opensDoors(ElementKind kind) {
+  return traitsOf(kind).effect == ElementEffect::kOpen || traitsOf(kind).effect == ElementEffect::kUnlock;
+}
+/// Whether it opens them for the rest of the round: it is taken.
+constexpr bool unlocksDoors(ElementKind kind) { return traitsOf(kind).effect == ElementEffect::kUnlock; }
+/// Whether who touches it returns there from then on.
+constexpr bool isCheckpoint(ElementKind kind) { return traitsOf(kind).effect == ElementEffect::kCheckpoint; }
+/// Whether it is a door of its number: something else opens it.
+constexpr bool isDoor(ElementKind kind) { return traitsOf(kind).number == ElementNumber::kDoor && !opensDoors(kind); }
 
 /// Numbers of keys, doors and plates are below this: a door is one bit of the game's state.
 inline constexpr std::uint32_t kMaxDoorNumbers = 32;
