@@ -17,6 +17,7 @@
 #include "server/match/level_rotation.h"
 #include "server/match/match_output.h"
 #include "server/match/match_player.h"
+#include "server/match/match_settings.h"
 #include "server/match/match_talk.h"
 #include "server/match/played_round.h"
 #include "server/match/roster.h"
@@ -26,18 +27,6 @@
 #include "server/match/updates.h"
 
 namespace platon {
-
-struct MatchSettings {
-  std::uint32_t maxPlayers = 16;  ///< 1 … kMaxPlayers
-  std::string serverName;         ///< a label; invisible characters are left out
-  bool record = false;            ///< record every round
-  bool chat = true;               ///< players can talk to each other
-  bool waitsForOne = false;       ///< rounds of a player who is alone have no time limit, and the next one starts when
-                                  ///< asked; a level for several begins anew when as many have joined as it needs
-  bool keepsTimesOfOne = false;   ///< only times of one player (Match::keepTimesOf) outlast the server, those of
-                                  ///< attempts in which no more players were connected than the level needs
-  std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
-};
 
 /// What a match asks the program around it.
 struct MatchProgram {

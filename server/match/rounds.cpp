@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "protocol/label.h"
-#include "server/match/match.h"
 #include "server/match/roster.h"
 
 namespace platon {

@@ -12,13 +12,13 @@
 #include "server/match/level_rotation.h"
 #include "server/match/match_output.h"
 #include "server/match/match_player.h"
+#include "server/match/match_settings.h"
 #include "server/match/played_round.h"
 #include "server/match/round_times.h"
 
 namespace platon {
 
 class MatchRoster;
-struct MatchSettings;
 
 /// Whether the vote has passed: more than half of the voters wish the next level.
 constexpr bool votePasses(const VoteCount& count) { return 2 * count.votes > count.voters; }
