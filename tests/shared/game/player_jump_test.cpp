@@ -185,7 +185,7 @@ TEST(PlayerJumpTest, ACeilingEndsAJump) {
   EXPECT_LT(airborne, 30);
 }
 
-// Runs off the ledge at x = 0 and presses the button after `late` ticks in the air.
+// Runs off the ledge at x = 0 and presses the button in the tick `late` after the last one on the ground, 2 or more.
 bool jumpsAfterLedge(int late) {
   PlayedGame played = standingOn("-240 0 0 0", "0 -60 20 0");
   played.run(60, kNone);
@@ -194,14 +194,14 @@ bool jumpsAfterLedge(int late) {
     played.run(1, Input::kRight);
   } while (played.grounded() && ++ticks < 200);
   EXPECT_FALSE(played.grounded());
-  played.run(late, Input::kRight);
+  played.run(late - 2, Input::kRight);
   played.run(1, Input::kRight | Input::kJump);
   return played.player().velocity.y > 0;
 }
 
-TEST(PlayerJumpTest, CanJumpUntil4TicksAfterALedge) {
-  for (int late = 0; late <= 4; ++late) EXPECT_TRUE(jumpsAfterLedge(late)) << late;
-  for (int late = 5; late <= 12; ++late) EXPECT_FALSE(jumpsAfterLedge(late)) << late;
+TEST(PlayerJumpTest, CanJumpInThe6TicksAfterTheLastOneOnTheGround) {
+  for (int late = 2; late <= 6; ++late) EXPECT_TRUE(jumpsAfterLedge(late)) << late;
+  for (int late = 7; late <= 14; ++late) EXPECT_FALSE(jumpsAfterLedge(late)) << late;
 }
 
 TEST(PlayerJumpTest, DoesNotJumpAgainInTheAir) {
