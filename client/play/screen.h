@@ -18,10 +18,10 @@
 
 namespace platon {
 
-/// One drawn image in time.
+/// One turn of the loop of the client.
 struct Frame {
   Time now{};
-  double seconds = 0;  ///< since the last frame
+  double seconds = 0;  ///< since the last one
 };
 
 /// A match has ended before the server has let the player in.

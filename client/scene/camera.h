@@ -14,11 +14,11 @@
 
 namespace platon {
 
-/// The camera stands above the player, whose right is level on the screen, and looks along the normal of the face; near
-/// an edge it turns to the next face. It follows the player with a delay, and leads a player who runs on; the middle of
-/// the picture is a little nearer to the centre of the solid. The player is always in the middle part of the picture,
-/// and never hidden by the solid: where the player is too far from there, as after a return to the start, the camera
-/// jumps. With CameraView::kFace and kFaceFade it stands still on each face.
+/// The camera stands above the player, whose right is level on the screen, and looks nearly along the normal of the
+/// face (cameraTarget); near an edge it turns to the next face. It follows the player with a delay, and leads a player
+/// who runs on; the middle of the picture is a little nearer to the centre of the solid. The player is always in the
+/// middle part of the picture, and never hidden by the solid: where the player is too far from there, as after a return
+/// to the start, the camera jumps. With CameraView::kFace and kFaceFade it stands still on each face.
 class Camera {
  public:
   static constexpr double kFollowSpeed = 14;  ///< rate of the approach to the player's position, per second

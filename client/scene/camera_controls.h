@@ -15,7 +15,7 @@ enum class CameraView : std::uint8_t {
 
 /// The player's choice of how the camera moves.
 struct CameraComfort {
-  double turnRate = 7;         ///< of the exponential approach to the player's roll, per second, 1 … 30
+  double turnRate = 7;         ///< of the exponential approach to the player's roll, per second, 1 … 30; see maxRoll
   bool instantCut = false;     ///< no swing, roll or flight: the camera jumps to its target
   bool reducedMotion = false;  ///< slower swing and roll, no look-ahead, no flight; nothing moves but the players
   CameraView view = CameraView::kFollow;

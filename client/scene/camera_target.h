@@ -32,9 +32,9 @@ glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right);
 /// at the edges is narrower. `place` is on the surface.
 glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place);
 
-/// The line of sight is nearly the rounded normal, with a little of the ray from the solid's centre, so that the
-/// neighbouring faces are seen. The player's right is level on the screen, except near a
-/// corner. `zoom` is a magnification, more than 0.
+/// The line of sight is nearly the rounded normal, with a part of the ray from the solid's centre (kPartOfRay), so that
+/// the neighbouring faces are seen. The player's right is level on the screen, except near a corner. `zoom` is a
+/// magnification, more than 0.
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom);
 
 constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture

@@ -212,7 +212,7 @@ std::shared_ptr<const Level> LiveMatch::level() const {
   return round == nullptr ? nullptr : round->prediction().confirmed().sharedLevel();
 }
 
-// A level for several players nobody can reach alone.
+// Nobody finishes a level for several players alone, so it may be left without a question.
 bool LiveMatch::losesNothing() const { return roundOver() || (level() && level()->players > 1); }
 
 std::vector<GhostSource> LiveMatch::ghosts(const Settings& settings) const {
