@@ -1,10 +1,20 @@
 // Largest coordinates, velocities, segments and shapes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+
 #include "platon/exact/angle.h"
 #include "platon/exact/integer.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
+#include "tests/exactness/properties/seeded_cases.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::hard_cases::limits_test {
 namespace {
@@ -64,6 +74,47 @@ TEST(LimitsTest, ALargeShapeSlidesOnTheLongestSegment) {
   EXPECT_EQ(scene.at(), Point(-kVelocityLimit + 2 * kFastest, 0));
   EXPECT_EQ(scene.rules.contacts.size(), 1u);
   EXPECT_EQ(scene.rules.contacts[0].segment.index, 0u);
+}
+
+// A point on the border of the coordinates, at most `away` subunits from `middle` along each axis.
+Point pointNear(oracle::RandomSource& random, Point middle, std::int64_t away) {
+  const auto near = [&](std::int32_t value) {
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(value + random.between(-away, away), -std::int64_t{kLast}, kLast));
+  };
+  return {near(middle.x), near(middle.y)};
+}
+
+// A body at a side or a corner of the coordinates is pushed outwards and along, beside a segment that may lead out. Its
+// ideal place may be out of range, which once made a step endless.
+TEST(LimitsTest, EveryStepAtTheLimitEnds) {
+  properties::forEachCase(repetitions(2000), [](oracle::RandomSource& random) {
+    const Point side(1, static_cast<std::int32_t>(random.between(-1, 1)));
+    const Point middle(kLast, side.y * kLast);
+    const auto size = static_cast<std::int32_t>(random.between(1, 30));
+    const Convex shape = random.oneIn(2) ? Convex({{0, -size}, {size, 0}, {0, size}, {-size, 0}})
+                                         : Convex({{-size, -size}, {size, -size / 2}, {0, size}});
+    World world;
+    MapPart part(world, 0);
+    const std::int64_t away = random.oneIn(2) ? 40 : 2000;
+    part.line(pointNear(random, middle, away), pointNear(random, middle, away));
+    part.initialize();
+    Entity body(world, shape);
+    try {
+      part.insert(body, pointNear(random, middle, 4), Angle());
+    } catch (const std::invalid_argument&) {
+      return;  // on the segment
+    }
+    CheckedWorld scene("limits", world, {.shape = shape});
+    const std::int32_t speed = random.oneIn(2) ? 60 : 4000;
+    const auto push = [&](std::int32_t towards) {
+      return static_cast<std::int32_t>(random.between(-speed, speed) + towards * random.between(0, speed));
+    };
+    for (int tick = 0; tick < 40; ++tick) {
+      scene.tick({push(side.x), push(side.y)});
+      ASSERT_TRUE(isCoordinate(scene.at().x) && isCoordinate(scene.at().y));
+    }
+  });
 }
 
 }  // namespace
