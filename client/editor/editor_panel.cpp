@@ -7,6 +7,7 @@
 #include "client/editor/level_document.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {
@@ -59,10 +60,6 @@ const char* signOf(LevelReport::Way way) {
     default:
       return "✗ ";
   }
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.ends_with("s") ? "es" : "s");
 }
 
 std::string secondsText(std::uint32_t ticks) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "protocol/texts.h"
+
 namespace platon {
 namespace {
 
@@ -34,12 +36,6 @@ std::vector<std::string> wordsOf(const EditedSegment& segment) {
   words.emplace_back(platon::wordOf(*segment.word.kind));
   if (hasNumber(*segment.word.kind)) words.push_back(std::to_string(segment.word.number));
   return words;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
 }
 
 }  // namespace
@@ -130,7 +126,7 @@ void LevelDocument::add(const EditedSegment& segment) {
   }
   if (!lines_[after].ends_with('\n')) lines_[after] += lineEnd();
   lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(after) + 1,
-                joined(wordsOf(segment)) + std::string(lineEnd()));
+                joined(wordsOf(segment), " ") + std::string(lineEnd()));
   scan();
 }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "client/quality/quality_meter.h"
-#include "protocol/json_text.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {

@@ -9,8 +9,8 @@
 #include "levels/check/level_warnings.h"
 #include "levels/tool/level_file.h"
 #include "platon/game/level.h"
-#include "protocol/json_text.h"
 #include "protocol/program_error.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {
@@ -25,11 +25,6 @@ const char* severity(const Diagnostic& diagnostic) { return diagnostic.error ? "
 std::size_t errorsOf(const CheckedLevel& checked) {
   const auto& all = checked.result.diagnostics;
   return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const auto& one) { return one.error; }));
-}
-
-// "1 line", "2 lines".
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string resultLine(const CheckedLevel& checked) {

@@ -1,6 +1,7 @@
 #include "levels/tool/solve_command.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -12,8 +13,8 @@
 #include "levels/solve/recorded_way.h"
 #include "levels/tool/level_file.h"
 #include "protocol/files/text_file.h"
-#include "protocol/json_text.h"
 #include "protocol/program_error.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {
@@ -29,24 +30,21 @@ bool write(const std::string& file, const std::vector<std::uint8_t>& bytes) {
 
 // "key 1, plate 2": the elements that the solution uses.
 std::string elementsText(const Level& level, const SolutionFacts& facts, bool json) {
-  std::string text;
+  std::vector<std::string> names;
   for (const std::uint32_t index : facts.elements) {
     const Element& element = level.elements[index];
     const std::string name = ElementWord{element.kind, element.number}.text();
-    text += (text.empty() ? "" : json ? "," : ", ") + (json ? jsonText(name) : name);
+    names.push_back(json ? jsonText(name) : name);
   }
-  return text;
-}
-
-std::string counted(std::int64_t count, const char* one, const char* several) {
-  return std::to_string(count) + " " + (count == 1 ? one : several);
+  return joined(names, json ? "," : ", ");
 }
 
 void printFacts(const Level& level, const SolutionFacts& facts) {
-  std::printf("solved in %.2f s: %s, %s, %s of down", facts.ticks / 60.0,
-              counted(facts.presses, "press", "presses").c_str(),
-              counted(facts.crossings, "crossing", "crossings").c_str(), counted(facts.turns, "turn", "turns").c_str());
-  if (facts.slack) std::printf(", tightest jump %s", counted(*facts.slack, "tick", "ticks").c_str());
+  std::printf("solved in %.2f s: %s, %s, %s of down", facts.ticks / 60.0, counted(facts.presses, "press").c_str(),
+              counted(facts.crossings, "crossing").c_str(), counted(facts.turns, "turn").c_str());
+  if (facts.slack) {
+    std::printf(", tightest jump %s", counted(static_cast<std::size_t>(*facts.slack), "tick").c_str());
+  }
   const std::string elements = elementsText(level, facts, false);
   if (!elements.empty()) std::printf("; uses %s", elements.c_str());
   std::printf("; difficulty %d", difficultyOf(facts));

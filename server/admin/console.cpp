@@ -11,6 +11,7 @@
 #include "protocol/files/word_reader.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
+#include "protocol/texts.h"
 #include "protocol/transport/server_address.h"
 #include "server/admin/bans.h"
 #include "server/base/utc_time.h"
@@ -235,19 +236,9 @@ std::string lineOf(const Ban& ban, UtcTime now) {
          (ban.holds(now) ? "" : " (ended)") + (ban.reason.empty() ? "" : ": " + ban.reason);
 }
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
-  return text;
-}
-
 bool isQuery(const ConsoleCommand& command) {
   return std::holds_alternative<StatusCommand>(command) || std::holds_alternative<PlayersCommand>(command) ||
          std::holds_alternative<BansCommand>(command) || std::holds_alternative<HelpCommand>(command);
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string usageOf(const ConsoleCommandHelp& command) {
@@ -284,13 +275,14 @@ ConsoleReply Console::run(const StatusCommand&, UtcTime) const {
   return {true,
           joined({program_.status(), "round: " + round,
                   "players: " + std::to_string(players.size()) + ", disconnected: " + std::to_string(disconnected),
-                  "bans: " + std::to_string(bans_.list().size())})};
+                  "bans: " + std::to_string(bans_.list().size())},
+                 "\n")};
 }
 
 ConsoleReply Console::run(const PlayersCommand&, UtcTime) const {
   std::vector<std::string> lines;
   for (const PlayerStatus& player : match_.playerStatus()) lines.push_back(lineOf(player));
-  return {true, lines.empty() ? "no players" : joined(lines)};
+  return {true, lines.empty() ? "no players" : joined(lines, "\n")};
 }
 
 ConsoleReply Console::run(const KickCommand& command, UtcTime) const {
@@ -339,7 +331,7 @@ ConsoleReply Console::run(const BansCommand&, UtcTime now) const {
     lines.push_back(lineOf(ban, now));
   }
   if (bans.size() > lines.size()) lines.push_back("and " + std::to_string(bans.size() - lines.size()) + " more");
-  return {true, lines.empty() ? "no bans" : joined(lines)};
+  return {true, lines.empty() ? "no bans" : joined(lines, "\n")};
 }
 
 ConsoleReply Console::run(const MuteCommand& command, UtcTime) const {
@@ -378,7 +370,7 @@ ConsoleReply Console::run(const HelpCommand&, UtcTime) const {
   lines.emplace_back(
       "PLAYER: number or name, in quotes if it contains spaces. RANGE: 192.0.2.7, 192.0.2.0/24, 2001:db8::/32.");
   lines.emplace_back("DURATION: 90s, 30m, 2h, 7d or 4w; without one, a ban has no end. quit leaves the console.");
-  return {true, joined(lines)};
+  return {true, joined(lines, "\n")};
 }
 
 }  // namespace platon

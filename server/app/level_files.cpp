@@ -8,6 +8,7 @@
 #include "platon/game/level.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {
@@ -48,12 +49,6 @@ void report(const std::string& path, std::vector<Diagnostic> diagnostics, std::v
   lines.push_back(path + ": " + std::to_string(dropped) + " more errors and warnings: platon-level check lists all");
 }
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
-  return text;
-}
-
 }  // namespace
 
 LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
@@ -65,7 +60,7 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
     valid = valid && result.level;
     loaded.levels.push_back(result.level);
   }
-  if (!valid) throw ProgramError(ProgramError::kInvalid, joined(loaded.warnings));
+  if (!valid) throw ProgramError(ProgramError::kInvalid, joined(loaded.warnings, "\n"));
   return loaded;
 }
 

@@ -6,7 +6,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "protocol/json_text.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {

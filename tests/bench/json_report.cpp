@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "protocol/json_text.h"
+#include "protocol/texts.h"
 #include "tests/bench/report.h"
 
 namespace platon::bench {

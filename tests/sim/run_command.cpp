@@ -8,7 +8,7 @@
 #include "platon/game/game.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
-#include "protocol/json_text.h"
+#include "protocol/texts.h"
 #include "shared/game/element_rules.h"
 #include "tests/sim/button_presses.h"
 #include "tests/sim/churn.h"

@@ -16,6 +16,7 @@
 #include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
+#include "protocol/texts.h"
 
 namespace platon {
 namespace {
@@ -170,7 +171,7 @@ void addLevelCard(Overlay& overlay, const LevelEntry& level, const Font& font, f
   const float room = std::min(middle - endOfLeftColumn(screen), screen.x - middle) - kMargin;
   if (room < kLeast) return;
   OverlayWriter writer(font);
-  const std::string players = level.players == 1 ? "1 player" : std::to_string(level.players) + " players";
+  const std::string players = counted(level.players, "player");
   writer.centred(fittedText(level.title, font, 2 * room / 24), {middle, screen.y - kTitle}, 24, kBright);
   const float baseline = kSmallestText * Font::kCapitalHeight / 2;
   writer.pill(level.solid + " · " + players, {middle, screen.y - kFacts - baseline}, kSmallestText, kSoft);

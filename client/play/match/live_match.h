@@ -27,6 +27,7 @@
 #include "client/ui/chat_feed.h"
 #include "client/ui/settings.h"
 #include "platon/game/player.h"
+#include "protocol/texts.h"
 #include "protocol/time.h"
 #include "protocol/token_bucket.h"
 #include "protocol/transport/server_address.h"
@@ -93,8 +94,7 @@ class ServerLines {
   /// Tells it at once; nothing if none were.
   void tell() {
     if (leftOut_ == 0) return;
-    print_(std::to_string(leftOut_) + (leftOut_ == 1 ? " line" : " lines") +
-           " about the server left out: there were too many");
+    print_(counted(leftOut_, "line") + " about the server left out: there were too many");
     leftOut_ = 0;
   }
 

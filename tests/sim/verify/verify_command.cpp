@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "protocol/json_text.h"
+#include "protocol/texts.h"
 #include "tests/sim/commands.h"
 #include "tests/sim/files.h"
 #include "tests/sim/hex_digits.h"

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "protocol/json_text.h"
 #include "protocol/program_error.h"
+#include "protocol/texts.h"
 #include "tests/sim/hex_digits.h"
 
 namespace platon::sim {
