@@ -11,6 +11,7 @@ EXCEPTIONS = {
     "client/bot/bot_main.cpp": "tests/net/programs runs platon-bot",
     "client/gl/paint/sky_painter.cpp": "renderer_test compares its pixels",
     "client/gl/overlay_painter.cpp": "renderer_test compares its pixels",
+    "client/gl/paint/face_painter.cpp": "renderer_test compares its pixels",
     "protocol/files/file_replacement.cpp": "text_file_test",
     "client/play/main.cpp": "tests/net/programs runs platon-client",
     "client/play/match_screen.cpp": "window_match_test and window_play_test play in it",
