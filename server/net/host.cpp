@@ -71,6 +71,61 @@ Host::Connection::Connection(Time now, SessionId own)
   resends.take(kResentBytesLimit - kFirstResentBytes, now);
 }
 
+bool Host::Connection::charge(std::size_t size, Rejections& rejections, Time now) {
+  const bool within = datagrams.take(1, now) && bytes.take(static_cast<double>(size), now);
+  if (!within) ++rejections.excess;
+  return within;
+}
+
+// Decides what ENet takes for lost and sends again. What the connection may not be sent now is due again with the next
+// call.
+void Host::Connection::limitResends(ENetPeer& peer, Time now) {
+  limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);
+  postponeRetransmissions(peer, enet_time_get(), [&](const ENetOutgoingCommand& command) {
+    return resends.take(static_cast<double>(bytesOf(command) + SealedChannel::kOverhead), now);
+  });
+}
+
+// What was outstanding and is no longer has been acknowledged. Only ENet knows: it ignores an acknowledgement with a
+// time in the future, and all that follow a command which it refuses. Call it before ENet receives anything, too,
+// because what was sent since may be acknowledged at once.
+void Host::Connection::noteOutstanding(const ENetPeer& peer, Time now) {
+  const std::vector<Outstanding> before = std::exchange(outstanding, {});
+  forEachOutstanding(peer, [&](const ENetOutgoingCommand& command) {
+    outstanding.push_back({command.command.header.channelID, command.reliableSequenceNumber, bytesOf(command), now});
+  });
+  std::size_t acknowledged = 0;
+  for (const Outstanding& each : before) {
+    const auto same = std::find_if(outstanding.begin(), outstanding.end(), [&](const Outstanding& still) {
+      return still.channel == each.channel && still.sequence == each.sequence;
+    });
+    if (same == outstanding.end()) {
+      acknowledged += each.bytes;
+    } else {
+      same->since = each.since;
+    }
+  }
+  resends.add(static_cast<double>(kGainOfAcknowledged * acknowledged));
+  window = std::min(window + kGainOfAcknowledged * acknowledged, kMaxWindow);
+}
+
+bool Host::Connection::hasTimedOut(Rejections& rejections, Time now) const {
+  const bool isSlow = std::any_of(outstanding.begin(), outstanding.end(),
+                                  [&](const Outstanding& each) { return now - each.since >= kMaxUnacknowledged; });
+  if (isSlow) {
+    ++rejections.slow;
+    return true;
+  }
+  if (admitted) {
+    const bool isSilent = now - receivedAt >= kSilenceTimeout;
+    rejections.silent += isSilent ? 1 : 0;
+    return isSilent;
+  }
+  const bool isIdle = now - since >= (client && !closing ? kAdmissionTime : kAnswerTime);
+  rejections.idle += isIdle && !closing ? 1 : 0;
+  return isIdle;
+}
+
 Host::Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
            Time now, HostRules rules)
     : gate_(std::move(socket), identity, gateSettings(settings), now, gateRules(std::move(rules))),
@@ -121,7 +176,7 @@ bool Host::accepts(SessionId session, Bytes& content) {
   }
   Connection& connection = connections_[commands->peer];
   connection.receivedAt = now_;
-  if (!charge(connection, content.size())) return false;
+  if (!connection.charge(content.size(), rejections(), now_)) return false;
   removeFalseAcknowledgements(content, *commands, host_->peers[commands->peer]);
   return commands->count != 0;
 }
@@ -134,7 +189,7 @@ bool Host::acceptsConnect(SessionId session, std::uint32_t connectId, std::size_
   if (found == connections_.end()) return begin(session, bytes);
   const ENetPeer& peer = host_->peers[found - connections_.begin()];
   if (peer.state != ENET_PEER_STATE_DISCONNECTED && peer.connectID == connectId) {
-    charge(*found, bytes);
+    found->charge(bytes, rejections(), now_);
   } else {
     ++rejections().content;
   }
@@ -148,14 +203,7 @@ bool Host::begin(SessionId session, std::size_t bytes) {
   if (index == connections_.size()) return false;
   if (connections_[index].session.number != 0) end(index);
   connections_[index] = Connection(now_, session);
-  return charge(connections_[index], bytes);
-}
-
-// False if the connection has sent more than it may.
-bool Host::charge(Connection& connection, std::size_t bytes) {
-  const bool within = connection.datagrams.take(1, now_) && connection.bytes.take(static_cast<double>(bytes), now_);
-  if (!within) ++rejections().excess;
-  return within;
+  return connections_[index].charge(bytes, rejections(), now_);
 }
 
 std::span<const HostEvent> Host::service(Time now) {
@@ -166,8 +214,8 @@ std::span<const HostEvent> Host::service(Time now) {
   packets_.clear();
   endSlow();
   for (std::size_t index = 0; index < connections_.size(); ++index) {
-    limitResends(index);
-    noteOutstanding(connections_[index], host_->peers[index]);
+    connections_[index].limitResends(host_->peers[index], now);
+    connections_[index].noteOutstanding(host_->peers[index], now);
   }
   ENetEvent event{};
   for (int pass = 0; pass < kMaxServiceCalls; ++pass) {
@@ -180,16 +228,6 @@ std::span<const HostEvent> Host::service(Time now) {
   gate_.expire(now);
   gate_.flush(now);
   return events_;
-}
-
-// Decides what ENet takes for lost and sends again. What the connection may not be sent now is due again with the next
-// call.
-void Host::limitResends(std::size_t index) {
-  ENetPeer& peer = host_->peers[index];
-  limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);
-  postponeRetransmissions(peer, enet_time_get(), [&](const ENetOutgoingCommand& command) {
-    return connections_[index].resends.take(static_cast<double>(bytesOf(command) + SealedChannel::kOverhead), now_);
-  });
 }
 
 // Before ENet receives anything, because it gives the place of an ended connection to the next newcomer.
@@ -232,51 +270,9 @@ void Host::maintain(std::size_t index) {
     return;
   }
   fixSettings(peer);
-  noteOutstanding(connection, peer);
+  connection.noteOutstanding(peer, now_);
   peer.windowSize = static_cast<enet_uint32>(connection.window);
-  if (hasTimedOut(connection)) end(index);
-}
-
-// What was outstanding and is no longer has been acknowledged. Only ENet knows: it ignores an acknowledgement with a
-// time in the future, and all that follow a command which it refuses. Call it before ENet receives anything, too,
-// because what was sent since may be acknowledged at once.
-void Host::noteOutstanding(Connection& connection, const ENetPeer& peer) const {
-  const std::vector<Outstanding> before = std::exchange(connection.outstanding, {});
-  forEachOutstanding(peer, [&](const ENetOutgoingCommand& command) {
-    connection.outstanding.push_back(
-        {command.command.header.channelID, command.reliableSequenceNumber, bytesOf(command), now_});
-  });
-  std::size_t acknowledged = 0;
-  for (const Outstanding& each : before) {
-    const auto same = std::find_if(
-        connection.outstanding.begin(), connection.outstanding.end(),
-        [&](const Outstanding& now) { return now.channel == each.channel && now.sequence == each.sequence; });
-    if (same == connection.outstanding.end()) {
-      acknowledged += each.bytes;
-    } else {
-      same->since = each.since;
-    }
-  }
-  connection.resends.add(static_cast<double>(kGainOfAcknowledged * acknowledged));
-  connection.window = std::min(connection.window + kGainOfAcknowledged * acknowledged, kMaxWindow);
-}
-
-bool Host::hasTimedOut(const Connection& connection) {
-  const bool isSlow = std::any_of(connection.outstanding.begin(), connection.outstanding.end(),
-                                  [&](const Outstanding& each) { return now_ - each.since >= kMaxUnacknowledged; });
-  if (isSlow) {
-    ++rejections().slow;
-    return true;
-  }
-  if (connection.admitted) {
-    const bool isSilent = now_ - connection.receivedAt >= kSilenceTimeout;
-    rejections().silent += isSilent ? 1 : 0;
-    return isSilent;
-  }
-  const bool isIdle =
-      now_ - connection.since >= (connection.client && !connection.closing ? kAdmissionTime : kAnswerTime);
-  rejections().idle += isIdle && !connection.closing ? 1 : 0;
-  return isIdle;
+  if (connection.hasTimedOut(rejections(), now_)) end(index);
 }
 
 void Host::end(std::size_t index) {

@@ -104,9 +104,16 @@ class Host : private EnetPort {
     Time since;  // when it was first sent
   };
 
-  // State of one ENet peer.
+  // What the host knows of one ENet peer, and what the peer may do.
   struct Connection {
     explicit Connection(Time now, SessionId own = {});
+
+    // False, which is counted, if the connection has sent more than it may.
+    bool charge(std::size_t size, Rejections& rejections, Time now);
+    void limitResends(ENetPeer& peer, Time now);
+    void noteOutstanding(const ENetPeer& peer, Time now);
+    // If so, why is counted.
+    bool hasTimedOut(Rejections& rejections, Time now) const;
 
     std::optional<ClientId> client;  // once connected
     SessionId session;               // number 0: the peer is free
@@ -130,13 +137,9 @@ class Host : private EnetPort {
   void endSlow();
   bool acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes);
   bool begin(SessionId session, std::size_t bytes);
-  bool charge(Connection& connection, std::size_t bytes);
-  void limitResends(std::size_t index);
   void handle(const ENetEvent& event);
   void connect(Connection& connection, ENetPeer& peer);
   void maintain(std::size_t index);
-  void noteOutstanding(Connection& connection, const ENetPeer& peer) const;
-  bool hasTimedOut(const Connection& connection);
   void end(std::size_t index);
   std::optional<std::size_t> indexOf(ClientId client) const;
 
