@@ -9,12 +9,12 @@
 
 namespace platon {
 
-/// Owns one OpenGL object, which `Create` and `Delete` create and delete. The context must be current when it is
-/// destroyed.
-template <GLuint (*Create)(), void (*Delete)(GLuint)>
+/// Owns one OpenGL object, which the functions of OpenGL `Create` and `Delete` create and delete. The context must be
+/// current when it is destroyed.
+template <auto& Create, auto& Delete>
 class GlHandle {
  public:
-  GlHandle() : name_(Create()) {}
+  GlHandle() { Create(1, &name_); }
   ~GlHandle() { reset(); }
   GlHandle(GlHandle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   GlHandle& operator=(GlHandle&& other) noexcept {
@@ -31,61 +31,22 @@ class GlHandle {
 
  private:
   void reset() {
-    if (name_ != 0) Delete(name_);
+    if (name_ != 0) Delete(1, &name_);
   }
 
-  GLuint name_;
+  GLuint name_ = 0;
 };
-
-namespace intern {
-
-inline GLuint createBuffer() {
-  GLuint name = 0;
-  glGenBuffers(1, &name);
-  return name;
-}
-inline void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
-
-inline GLuint createVertexArray() {
-  GLuint name = 0;
-  glGenVertexArrays(1, &name);
-  return name;
-}
-inline void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
-
-inline GLuint createTexture() {
-  GLuint name = 0;
-  glGenTextures(1, &name);
-  return name;
-}
-inline void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
-
-inline GLuint createRenderbuffer() {
-  GLuint name = 0;
-  glGenRenderbuffers(1, &name);
-  return name;
-}
-inline void deleteRenderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
-
-inline GLuint createFramebuffer() {
-  GLuint name = 0;
-  glGenFramebuffers(1, &name);
-  return name;
-}
-inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
-
-}  // namespace intern
 
 /// Byte offset into the bound buffer, in the form that OpenGL expects.
 inline const void* bufferOffset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): never dereferenced
 }
 
-using GlBuffer = GlHandle<intern::createBuffer, intern::deleteBuffer>;
-using GlVertexArray = GlHandle<intern::createVertexArray, intern::deleteVertexArray>;
-using GlTexture = GlHandle<intern::createTexture, intern::deleteTexture>;
-using GlRenderbuffer = GlHandle<intern::createRenderbuffer, intern::deleteRenderbuffer>;
-using GlFramebuffer = GlHandle<intern::createFramebuffer, intern::deleteFramebuffer>;
+using GlBuffer = GlHandle<glGenBuffers, glDeleteBuffers>;
+using GlVertexArray = GlHandle<glGenVertexArrays, glDeleteVertexArrays>;
+using GlTexture = GlHandle<glGenTextures, glDeleteTextures>;
+using GlRenderbuffer = GlHandle<glGenRenderbuffers, glDeleteRenderbuffers>;
+using GlFramebuffer = GlHandle<glGenFramebuffers, glDeleteFramebuffers>;
 
 /// The draw calls of the current context. All of them are issued here, so that a benchmark can count them, and can
 /// withhold them to measure the rest of a frame without the work of the driver. As OpenGL itself, for one thread.
