@@ -17,7 +17,7 @@ constexpr double kMaxLag = 0.6;     // radians between the line of sight and its
 constexpr double kMaxSlant = 1.25;  // radians between the line of sight and the normal of the player's face
 constexpr double kNearest = 0.75;   // of the distance from the player, in target distances: what is nearer, jumps
 // Of half a view. With the shift of the framing, both together are less than kMiddle.
-constexpr glm::dvec2 kMaxLead(0.24, 0.18);
+constexpr glm::dvec2 kMaxLookAhead(0.24, 0.18);
 constexpr double kCutAngle = 1.6;   // radians from the target from which the camera jumps there
 constexpr double kCutOffset = 1.0;  // distance of the player from the middle, in half views, from which it jumps
 
@@ -53,7 +53,7 @@ glm::dvec2 shortened(glm::dvec2 vector, double longest) {
 void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, std::uint32_t h) {
   resize(w, h);
   hold_.reset();
-  lead_.reset(player);
+  lookAhead_.reset(player);
   radius_ = stage.circumradius();
   const CameraTarget target = cameraTarget(player, stage, zoom_);
   const bool stands = comfort_.view != CameraView::kFollow;
@@ -73,15 +73,15 @@ void Camera::place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage) {
 // rate.
 void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
   if (comfort_.view != CameraView::kFollow) {
-    lead_.reset(player);
+    lookAhead_.reset(player);
     base_ = shown_ = hold_.view(player, stage, zoom_);
     return;
   }
   const CameraTarget target = cameraTarget(player, stage, zoom_);
   if (comfort_.instantCut || !isNear(player, target)) return set(player, stage, width_, height_);
-  lead_.move(player);
+  lookAhead_.move(player);
   const glm::dvec3 offset = offsetAfter(player, target, offsetOf(player, target, stage), seconds);
-  lead_.wait(seconds);
+  lookAhead_.wait(seconds);
   turn(player, target, seconds);
   base_.eye = player.position + base_.orientation * offset;
   shown_ = base_;
@@ -118,9 +118,9 @@ glm::dvec3 Camera::offsetAfter(const Pose& player, const CameraTarget& target, g
   const glm::dvec3 now = glm::conjugate(base_.orientation) * (base_.eye - player.position);
   const glm::dvec3 start(shortened(now, kMiddle * halfView), std::max(now.z, kNearest * target.distance));
   const glm::dquat toScreen = glm::conjugate(target.orientation);
-  const glm::dvec2 scale = glm::min(glm::dvec2(1), kMaxLead * halfView / CameraLead::kMaxLead);
-  const glm::dvec2 lead = scale * lead_.followed(kFollowSpeed, seconds, comfort_.reducedMotion);
-  const glm::dvec3 leading = lead.x * glm::cross(player.up, player.normal) + lead.y * player.up;
+  const glm::dvec2 scale = glm::min(glm::dvec2(1), kMaxLookAhead * halfView / LookAhead::kMax);
+  const glm::dvec2 lookAhead = scale * lookAhead_.followed(kFollowSpeed, seconds, comfort_.reducedMotion);
+  const glm::dvec3 leading = lookAhead.x * glm::cross(player.up, player.normal) + lookAhead.y * player.up;
   const double stay = std::exp(-kFollowSpeed * seconds);
   return still * (1 - stay) + start * stay + glm::dvec3(glm::dvec2(toScreen * leading), 0);
 }

@@ -76,7 +76,7 @@ class Camera {
 
   ViewPoint base_;
   ViewPoint shown_;
-  CameraLead lead_;
+  LookAhead lookAhead_;
   FaceHold hold_;
   double radius_ = 500;  // circumradius of the solid, for the depth range
   double reach_ = 0;

@@ -211,108 +211,110 @@ constexpr double kAtOnce = 1e9;  // a rate at which a point follows at once
 
 Pose poseAt(double right, double up) { return {{right, up, 100}, {0, 1, 0}, {0, 0, 1}}; }
 
-// The lead now.
-glm::dvec2 leadOf(const CameraLead& lead, bool reduced = false) { return lead.followed(kAtOnce, 1e-7, reduced); }
+// The look-ahead now.
+glm::dvec2 aheadOf(const LookAhead& lookAhead, bool reduced = false) {
+  return lookAhead.followed(kAtOnce, 1e-7, reduced);
+}
 
 struct Walk {
-  CameraLead lead;
+  LookAhead lookAhead;
   glm::dvec2 place{0};
 
-  Walk() { lead.reset(poseAt(0, 0)); }
+  Walk() { lookAhead.reset(poseAt(0, 0)); }
   void step(glm::dvec2 way) {
     place += way;
-    lead.move(poseAt(place.x, place.y));
-    lead.wait(kTick);
+    lookAhead.move(poseAt(place.x, place.y));
+    lookAhead.wait(kTick);
   }
 };
 
-TEST(CameraLead, LeadsWhoRunsOn) {
+TEST(LookAhead, LeadsWhoRunsOn) {
   for (const double direction : {-1.0, 1.0}) {
     Walk walk;
     double last = 0;
     for (int tick = 0; tick < 120; ++tick) {
       walk.step({direction * kRun, 0});
-      const double lead = direction * leadOf(walk.lead).x;
-      EXPECT_GE(lead, last - 1e-6);
-      EXPECT_LE(lead - last, kRun) << "the picture never overtakes the player by more than the player runs";
-      last = lead;
+      const double lookAhead = direction * aheadOf(walk.lookAhead).x;
+      EXPECT_GE(lookAhead, last - 1e-6);
+      EXPECT_LE(lookAhead - last, kRun) << "the picture never overtakes the player by more than the player runs";
+      last = lookAhead;
     }
-    EXPECT_NEAR(last, CameraLead::kMaxLead, 6);
+    EXPECT_NEAR(last, LookAhead::kMax, 6);
   }
 }
 
-TEST(CameraLead, SmallTurnsDoNotMoveIt) {
+TEST(LookAhead, SmallTurnsDoNotMoveIt) {
   Walk walk;
   for (int tick = 0; tick < 600; ++tick) {
     walk.step({tick / 8 % 2 == 0 ? kRun : -kRun, 0});
-    EXPECT_NEAR(leadOf(walk.lead).x, 0, 1e-3);
+    EXPECT_NEAR(aheadOf(walk.lookAhead).x, 0, 1e-3);
   }
 }
 
 // A jump of 60 level units in 24 ticks each way.
-TEST(CameraLead, InAJumpThePictureMovesLessThanThePlayer) {
+TEST(LookAhead, InAJumpThePictureMovesLessThanThePlayer) {
   Walk walk;
   double highest = 0;
   for (int tick = 0; tick < 48; ++tick) {
     const double height = 60 * (1 - std::pow((tick + 1 - 24) / 24.0, 2));
     walk.step({0, height - walk.place.y});
-    const double shown = walk.place.y + leadOf(walk.lead).y;
+    const double shown = walk.place.y + aheadOf(walk.lookAhead).y;
     highest = std::max(highest, shown);
     EXPECT_GE(shown, -12);
   }
   EXPECT_LT(highest, 35);
 }
 
-TEST(CameraLead, LeadsALongFall) {
+TEST(LookAhead, LeadsALongFall) {
   Walk walk;
   for (int tick = 0; tick < 90; ++tick) walk.step({0, -5.5});
-  EXPECT_LT(leadOf(walk.lead).y, -50);
-  EXPECT_GE(leadOf(walk.lead).y, -CameraLead::kMaxLead);
+  EXPECT_LT(aheadOf(walk.lookAhead).y, -50);
+  EXPECT_GE(aheadOf(walk.lookAhead).y, -LookAhead::kMax);
 }
 
-TEST(CameraLead, WithReducedMotionNothingLeadsThePlayer) {
+TEST(LookAhead, WithReducedMotionNothingLeadsThePlayer) {
   Walk walk;
   for (int tick = 0; tick < 90; ++tick) walk.step({kRun, -5.5});
-  EXPECT_NEAR(leadOf(walk.lead, true).x, 0, 1e-3);
-  EXPECT_GE(leadOf(walk.lead, true).y, 0);
+  EXPECT_NEAR(aheadOf(walk.lookAhead, true).x, 0, 1e-3);
+  EXPECT_GE(aheadOf(walk.lookAhead, true).y, 0);
 }
 
-TEST(CameraLead, GoesBackWhenThePlayerStands) {
+TEST(LookAhead, GoesBackWhenThePlayerStands) {
   Walk walk;
   for (int tick = 0; tick < 90; ++tick) walk.step({kRun, -5.5});
-  walk.lead.wait(5);
-  EXPECT_NEAR(leadOf(walk.lead).x, 0, 1e-3);
-  EXPECT_NEAR(leadOf(walk.lead).y, 0, 0.2);
+  walk.lookAhead.wait(5);
+  EXPECT_NEAR(aheadOf(walk.lookAhead).x, 0, 1e-3);
+  EXPECT_NEAR(aheadOf(walk.lookAhead).y, 0, 0.2);
 }
 
 // The closed solution against small steps of the differential equation.
-TEST(CameraLead, TheFollowingPointSolvesItsEquation) {
+TEST(LookAhead, TheFollowingPointSolvesItsEquation) {
   constexpr double kRate = 14;
   for (const glm::dvec2 way : {glm::dvec2(20, 10), glm::dvec2(45, -60), glm::dvec2(-200, 200)}) {
-    CameraLead lead;
-    lead.reset(poseAt(0, 0));
-    lead.move(poseAt(way.x, way.y));
-    CameraLead now = lead;
+    LookAhead lookAhead;
+    lookAhead.reset(poseAt(0, 0));
+    lookAhead.move(poseAt(way.x, way.y));
+    LookAhead now = lookAhead;
     glm::dvec2 place(0);
     constexpr int kSteps = 200000;
     constexpr double kStep = 2.0 / kSteps;
     for (int i = 0; i < kSteps; ++i) {
-      place += (leadOf(now) - place) * kRate * kStep;
+      place += (aheadOf(now) - place) * kRate * kStep;
       now.wait(kStep);
     }
-    const glm::dvec2 solved = lead.followed(kRate, 2, false);
+    const glm::dvec2 solved = lookAhead.followed(kRate, 2, false);
     EXPECT_NEAR(solved.x, place.x, 0.01);
     EXPECT_NEAR(solved.y, place.y, 0.01);
   }
 }
 
-TEST(CameraLead, IsCarriedOverAnEdge) {
-  CameraLead lead;
-  lead.reset(poseAt(0, 0));
-  lead.move(poseAt(125, 0));
-  const glm::dvec2 before = leadOf(lead);
-  lead.move({{125, 0, 100}, {0, 1, 0}, {1, 0, 0}});
-  EXPECT_EQ(leadOf(lead), before);
+TEST(LookAhead, IsCarriedOverAnEdge) {
+  LookAhead lookAhead;
+  lookAhead.reset(poseAt(0, 0));
+  lookAhead.move(poseAt(125, 0));
+  const glm::dvec2 before = aheadOf(lookAhead);
+  lookAhead.move({{125, 0, 100}, {0, 1, 0}, {1, 0, 0}});
+  EXPECT_EQ(aheadOf(lookAhead), before);
 }
 
 // Distance of a place from the middle of the picture, in half shorter sides.
