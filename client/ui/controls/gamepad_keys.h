@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/ui/key.h"
+#include "protocol/time.h"
 
 namespace platon {
 
@@ -67,8 +68,6 @@ class GamepadKeys {
 /// Repeats the direction of the gamepad that is held, as keyboards repeat their keys.
 class PadRepeat {
  public:
-  using Time = std::chrono::microseconds;  ///< of a monotonic clock
-
   static constexpr Time kDelay = std::chrono::milliseconds(400);    ///< from the press to the first repetition
   static constexpr Time kInterval = std::chrono::milliseconds(80);  ///< between two of them
 

@@ -181,7 +181,7 @@ class PadRepeatTest : public testing::Test {
   }
 
   PadRepeat repeat_;
-  PadRepeat::Time now_{};
+  Time now_{};
 };
 
 TEST_F(PadRepeatTest, EachDirectionIsRepeatedAfter400MsAndThenEvery80Ms) {
