@@ -7,7 +7,7 @@
 #include <span>
 #include <sstream>
 
-#include "client/ui/controls/bindings_text.h"
+#include "client/ui/controls/bindings.h"
 #include "client/ui/setting_table.h"
 
 namespace platon {

@@ -8,9 +8,7 @@
 #include "client/quality/quality_choice.h"
 #include "client/scene/camera_controls.h"
 #include "client/scene/palette.h"
-#include "client/ui/control_frame.h"
 #include "client/ui/controls/bindings.h"
-#include "client/ui/controls/toggled_controls.h"
 #include "client/ui/hints/element_hints.h"
 
 namespace platon {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "client/ui/key.h"
@@ -33,6 +35,15 @@ std::string_view nameOf(Control control);
 std::string_view wordOf(Control control);
 /// The control with this name in the settings file.
 std::optional<Control> controlNamed(std::string_view word);
+
+/// The frame that left and right refer to. The two frames differ while the camera rolls.
+enum class ControlFrame : std::uint8_t { kPlayer, kScreen };
+
+/// Controls that a press turns on and the next press off; the others act while a key is held.
+struct ToggledControls {
+  bool slow = false;
+  bool look = false;
+};
 
 /// The keys of a control. The second key is set only if the first one is.
 struct ControlKeys {
@@ -68,6 +79,25 @@ class Bindings {
   void remove(Control control, Key key);
 
   std::array<ControlKeys, kControlCount> keys_;  // by Control
+};
+
+/// The bindings as lines `key CONTROL KEY…` of the settings file, `none` for no key.
+std::string textOf(const Bindings& bindings);
+
+/// Reads such lines, in any order. A line takes its keys over from controls that have no line before it.
+class BindingsReader {
+ public:
+  /// Gives the control of a line these keys, which are the words after it. Returns what is wrong with them, and changes
+  /// nothing then; else an empty text.
+  std::string read(Control control, std::span<const std::string> words);
+
+  const Bindings& bindings() const { return bindings_; }
+
+ private:
+  std::string faultOf(Control control, const ControlKeys& keys) const;
+
+  Bindings bindings_;
+  std::bitset<kControlCount> read_;  // the controls that had a line
 };
 
 }  // namespace platon

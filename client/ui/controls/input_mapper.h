@@ -7,9 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "client/scene/camera_controls.h"
-#include "client/ui/control_frame.h"
 #include "client/ui/controls/bindings.h"
-#include "client/ui/controls/toggled_controls.h"
 #include "client/ui/key.h"
 #include "client/ui/pointer_event.h"
 #include "platon/game/input.h"
