@@ -7,7 +7,6 @@
 #include <span>
 
 #include "client/quality/quality.h"
-#include "client/quality/quality_choice.h"
 #include "client/time/quantile_window.h"
 #include "protocol/time.h"
 

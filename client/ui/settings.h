@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "client/quality/quality_choice.h"
+#include "client/quality/quality.h"
 #include "client/scene/camera_controls.h"
 #include "client/scene/palette.h"
 #include "client/ui/controls/bindings.h"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "client/quality/quality_choice.h"
+#include "client/quality/quality.h"
 
 namespace platon {
 namespace {
