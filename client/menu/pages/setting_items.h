@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "client/menu/menu_item.h"
+#include "client/menu/menu_page.h"
 #include "client/ui/setting_table.h"
 
 namespace platon {
