@@ -1,8 +1,263 @@
 #include "client/menu/pages/settings_pages.h"
 
-#include "client/menu/pages/settings_page.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "client/quality/quality.h"
+#include "client/ui/controls/key_names.h"
 
 namespace platon {
+namespace {
+
+constexpr std::array<const char*, kQualities.size()> kQualityNames{"low", "medium", "high", "highest"};
+// By SettingGroup.
+constexpr std::array<const char*, static_cast<std::size_t>(SettingGroup::kHidden)> kGroupNames{
+    "Picture", "Sound", "Comfort", "Controls", "Game"};
+constexpr double kScaleStep = 0.05;  // of the render scale
+
+MenuItem toggleItem(const char* label, bool& flag) {
+  MenuItem item{MenuItem::Kind::kToggle, label, flag ? "on" : "off", flag ? 1.0 : 0.0};
+  item.step = [&flag](int) { flag = !flag; };
+  return item;
+}
+
+MenuItem namedFlagItem(const char* label, bool& flag, const std::array<const char*, 2>& names) {
+  MenuItem item{MenuItem::Kind::kChoice, label, names[flag ? 1 : 0]};
+  item.flips = true;
+  item.step = [&flag](int) { flag = !flag; };
+  return item;
+}
+
+std::ptrdiff_t nearest(std::span<const NamedValue> values, double number) {
+  const auto closer = [number](const NamedValue& a, const NamedValue& b) {
+    return std::abs(a.value - number) < std::abs(b.value - number);
+  };
+  return std::min_element(values.begin(), values.end(), closer) - values.begin();
+}
+
+MenuItem choiceItem(const char* label, double& number, std::span<const NamedValue> values) {
+  const std::ptrdiff_t now = nearest(values, number);
+  MenuItem item{MenuItem::Kind::kChoice, label, values[static_cast<std::size_t>(now)].name};
+  item.step = [&number, values](int direction) {
+    const std::ptrdiff_t last = std::ssize(values) - 1;
+    const std::ptrdiff_t next = std::clamp<std::ptrdiff_t>(nearest(values, number) + direction, 0, last);
+    number = values[static_cast<std::size_t>(next)].value;
+  };
+  return item;
+}
+
+// The nearest value that is whole steps from the least.
+double onStep(double number, const SettingNumber& range) {
+  const double steps = std::round((number - range.min) / range.step);
+  // Rounded, so that the settings file gets no digits of a rounding error.
+  const double exact = std::round((range.min + steps * range.step) * 1e6) / 1e6;
+  return std::clamp(exact, range.min, range.max);
+}
+
+MenuItem sliderItem(const char* label, double& number, const SettingNumber& range) {
+  MenuItem item{MenuItem::Kind::kSlider, label, std::to_string(std::lround(number * range.percent)) + " %",
+                (number - range.min) / (range.max - range.min)};
+  item.step = [&number, range](int direction) { number = onStep(number + direction * range.step, range); };
+  item.set = [&number, range](double part) { number = onStep(range.min + part * (range.max - range.min), range); };
+  return item;
+}
+
+MenuItem wordsItem(const char* label, const SettingWords& setting, Settings& settings) {
+  MenuItem item{MenuItem::Kind::kChoice, label, std::string(setting.words[setting.index(settings)].name)};
+  item.flips = setting.words.size() == 2;
+  item.step = [setting, &settings](int direction) {
+    const std::size_t count = setting.words.size();
+    setting.choose(settings, (setting.index(settings) + count + static_cast<std::size_t>(direction)) % count);
+  };
+  return item;
+}
+
+std::string nameOf(const QualityChoice& choice) {
+  if (!choice.level) return "automatic";
+  const std::string name = kQualityNames[static_cast<std::size_t>(*choice.level)];
+  return choice.scale || choice.samples ? name + ", changed" : name;
+}
+
+MenuItem levelItem(const char* label, QualityChoice& choice) {
+  MenuItem item{MenuItem::Kind::kChoice, label, nameOf(choice)};
+  item.step = [&choice](int direction) {
+    const int now = static_cast<int>(choice.level.value_or(QualityLevel::kHigh));
+    choice.choose(static_cast<QualityLevel>(std::clamp(now + direction, 0, static_cast<int>(kQualities.size()) - 1)));
+  };
+  return item;
+}
+
+void setScale(QualityChoice& choice, double scale) {
+  const double exact = std::round(scale / kScaleStep) * kScaleStep;
+  choice.scale = std::clamp(std::round(exact * 100) / 100, Quality::kMinScale, 1.0);
+}
+
+MenuItem scaleItem(const char* label, QualityChoice& choice) {
+  const double scale = choice.quality().scale;
+  MenuItem item{MenuItem::Kind::kSlider, label, std::to_string(std::lround(scale * 100)) + " %",
+                (scale - Quality::kMinScale) / (1 - Quality::kMinScale)};
+  item.step = [&choice](int direction) { setScale(choice, choice.quality().scale + direction * kScaleStep); };
+  item.set = [&choice](double part) { setScale(choice, Quality::kMinScale + part * (1 - Quality::kMinScale)); };
+  return item;
+}
+
+MenuItem samplesItem(const char* label, QualityChoice& choice) {
+  const int samples = choice.quality().samples;
+  MenuItem item{MenuItem::Kind::kChoice, label, samples == 1 ? "off" : std::to_string(samples) + " samples"};
+  item.step = [&choice](int direction) {
+    const int now = choice.quality().samples;
+    choice.samples = std::clamp(direction > 0 ? now * 2 : now / 2, 1, Quality::kMaxSamples);
+  };
+  return item;
+}
+
+MenuItem measureItem(QualityChoice& choice) {
+  MenuItem item{MenuItem::Kind::kAction, "Measure and choose the quality"};
+  item.choose = [&choice] { choice = {}; };
+  return item;
+}
+
+// On while a hint is left. Turned on, it shows all of them again.
+MenuItem hintsItem(const char* label, Settings& settings) {
+  const bool on = settings.firstKeys || settings.untold != UntoldElements{0};
+  MenuItem item{MenuItem::Kind::kToggle, label, on ? "on" : "off", on ? 1.0 : 0.0};
+  item.step = [&settings, on](int) {
+    settings.firstKeys = !on;
+    settings.untold = on ? UntoldElements{0} : UntoldElements();
+  };
+  return item;
+}
+
+struct ItemMaker {
+  using Items = std::vector<MenuItem>;
+  const char* label;
+  Settings& settings;
+
+  Items operator()(const SettingFlag& setting) const {
+    bool& flag = setting.member.in(settings);
+    return {setting.names[0] ? namedFlagItem(label, flag, setting.names) : toggleItem(label, flag)};
+  }
+  Items operator()(const SettingNumber& setting) const {
+    double& number = setting.member.in(settings);
+    return {setting.choices.empty() ? sliderItem(label, number, setting) : choiceItem(label, number, setting.choices)};
+  }
+  Items operator()(const SettingWords& setting) const { return {wordsItem(label, setting, settings)}; }
+  Items operator()(QualityPart part) const {
+    switch (part) {
+      case QualityPart::kLevel:
+        return {levelItem(label, settings.quality)};
+      case QualityPart::kScale:
+        return {scaleItem(label, settings.quality)};
+      case QualityPart::kSamples:
+        return {samplesItem(label, settings.quality), measureItem(settings.quality)};
+    }
+    return {};
+  }
+  Items operator()(SettingMember<UntoldElements>) const { return {hintsItem(label, settings)}; }
+  // A text is entered on a page of its own.
+  Items operator()(SettingMember<std::string>) const { return {}; }
+};
+
+}  // namespace
+
+std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings) {
+  std::vector<MenuItem> items = std::visit(ItemMaker{setting.label, settings}, setting.value);
+  for (MenuItem& item : items) item.inMotion = setting.inMotion;
+  return items;
+}
+
+MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys, bool alone) {
+  MenuPage page{"Settings"};
+  page.standsAside = true;
+  SettingGroup group = SettingGroup::kHidden;
+  for (const Setting& setting : settingTable()) {
+    if (setting.group == SettingGroup::kHidden || (setting.onlyAlone && !alone)) continue;
+    if (setting.group != group) {
+      group = setting.group;
+      page.items.push_back({MenuItem::Kind::kHeading, kGroupNames[static_cast<std::size_t>(group)]});
+      if (group == SettingGroup::kControls) {
+        page.items.push_back({.name = "Keys and buttons", .value = "choose", .choose = showKeys});
+      }
+    }
+    for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));
+  }
+  return page;
+}
+
+namespace {
+
+constexpr const char* kMenuKeys = "Menus always use the arrow keys, Enter and Esc.";
+
+std::string quoted(Control control) { return "“" + std::string(nameOf(control)) + "”"; }
+
+std::string allKeysOf(const Bindings& bindings, Control control) {
+  const KeyHints hints(bindings);
+  const std::string keys = hints.keys(control);
+  const std::string pad = hints.pad(control);
+  if (keys.empty() && pad.empty()) return "none";
+  return keys.empty() || pad.empty() ? keys + pad : keys + ", " + pad;
+}
+
+// Whether the event answers what the page waits for: tilts of a stick also arrive as keys.
+bool isAnswer(const KeyEvent& event) {
+  return event.kind == KeyEvent::Kind::kPress && (!isOfGamepad(event.key) || canBeBound(event.key));
+}
+
+std::string bound(Bindings& bindings, Control control, Key key) {
+  const std::optional<Control> owner = bindings.bind(control, key);
+  const std::string name(shownNameOf(key));
+  if (!owner) return quoted(control) + " has " + name + " now.";
+  return quoted(control) + " has taken " + name + " from " + quoted(*owner) + ", which has " +
+         allKeysOf(bindings, *owner) + " now.";
+}
+
+void take(const KeyEvent& event, Bindings& bindings, ControlsForm& form) {
+  const Control control = *form.waiting;
+  if (event.key == Key::kPadStart) {
+    form = {};
+  } else if (!isAnswer(event)) {
+    return;
+  } else if (event.key == Key::kEscape) {
+    form = {};
+  } else if (event.key == Key::kDelete || event.key == Key::kBackspace) {
+    bindings.clear(control);
+    form = {{}, quoted(control) + " has no key or button now."};
+  } else if (!canBeBound(event.key)) {
+    form.told = std::string(shownNameOf(event.key)) + " cannot be chosen.";
+  } else {
+    form = {{}, bound(bindings, control, event.key)};
+  }
+}
+
+std::string noteOf(const ControlsForm& form) {
+  if (!form.waiting) return form.told.empty() ? kMenuKeys : form.told;
+  const std::string asks = "Press the key or button for " + quoted(*form.waiting) + ". Delete: clear. Esc: cancel.";
+  return form.told.empty() ? asks : form.told + " " + asks;
+}
+
+}  // namespace
+
+MenuPage controlsPage(Bindings& bindings, ControlsForm& form) {
+  MenuPage page{"Keys and buttons", {noteOf(form)}};
+  for (std::size_t i = 0; i < kControlCount; ++i) {
+    const auto control = static_cast<Control>(i);
+    page.items.push_back({.name = std::string(nameOf(control)),
+                          .value = form.waiting == control ? "…" : allKeysOf(bindings, control),
+                          .choose = [control, &form] {
+                            form = {control, ""};
+                          }});
+  }
+  page.items.push_back({.name = "Reset to the defaults", .choose = [&bindings, &form] {
+                          bindings = Bindings();
+                          form = {{}, "All keys and buttons have their defaults."};
+                        }});
+  if (form.waiting) page.takeKey = [&bindings, &form](const KeyEvent& event) { take(event, bindings, form); };
+  return page;
+}
 
 void SettingsPages::show(MenuPage::Place place) {
   menu_->push([this, place] {

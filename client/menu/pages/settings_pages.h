@@ -1,13 +1,36 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "client/menu/menu.h"
-#include "client/menu/pages/controls_page.h"
+#include "client/menu/menu_page.h"
+#include "client/ui/controls/bindings.h"
+#include "client/ui/setting_table.h"
 #include "client/ui/settings.h"
 
 namespace platon {
+
+/// The items of a page for a setting that is not hidden: one that changes it in `settings`, which outlive it, and below
+/// that of the last part of the quality one that has it measured. A number between two choices is shown as the nearest.
+/// A level of quality that is chosen takes the place of a render scale and of samples that were.
+std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings);
+
+/// The page that changes `settings`, which outlive it. `showKeys` shows the page of keys and buttons. `alone`: the
+/// game may run slower.
+MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys, bool alone = true);
+
+/// What the page of keys waits for, and what it tells.
+struct ControlsForm {
+  std::optional<Control> waiting{};  ///< the control that gets the next key
+  std::string told{};                ///< about the last change
+};
+
+/// The page that chooses the keys and buttons of the controls. `bindings` and `form` outlive it.
+MenuPage controlsPage(Bindings& bindings, ControlsForm& form);
 
 /// The settings in the menu, and the page of keys below them.
 class SettingsPages {

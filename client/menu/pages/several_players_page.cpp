@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/menu/pages/setting_items.h"
-
 namespace platon {
 namespace {
 

@@ -8,10 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "client/menu/pages/controls_page.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/menu/pages/replays_page.h"
-#include "client/menu/pages/settings_page.h"
+#include "client/menu/pages/settings_pages.h"
 #include "client/menu/pages/several_players_page.h"
 #include "client/ui/overlay.h"
 #include "tests/client/menu/sample_pages.h"

@@ -9,7 +9,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include "client/menu/pages/settings_page.h"
+#include "client/menu/pages/settings_pages.h"
 #include "tests/client/gl/shown_pictures.h"
 #include "tests/client/play/window_play_fixture.h"
 
