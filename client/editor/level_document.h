@@ -10,6 +10,7 @@
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
 #include "platon/game/level_text.h"
+#include "platon/game/solid.h"
 
 namespace platon {
 
@@ -69,5 +70,11 @@ class LevelDocument {
 
 /// A coordinate as it is written: at most four decimals, no more than are needed.
 std::string coordinateText(double units);
+
+/// The text of a new level: a floor, the start and the goal on face 0.
+std::string newLevelText(SolidKind solid, const std::string& title);
+
+/// A title made of the name of a level file: `02_half_turn.level` gives `Half turn`.
+std::string titleOf(const std::string& fileName);
 
 }  // namespace platon

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "client/editor/new_level.h"
+#include "client/editor/level_document.h"
 #include "client/ui/overlay.h"
 #include "protocol/program_error.h"
 

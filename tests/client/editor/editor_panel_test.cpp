@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/editor/new_level.h"
+#include "client/editor/level_document.h"
 #include "client/ui/overlay.h"
 
 namespace platon::editor_panel_test {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "levels/solve/level_solver.h"
 #include "tests/support/files.h"
 
 namespace platon::level_document_test {
@@ -175,6 +176,25 @@ TEST(CoordinateTextTest, HasNoMoreDecimalsThanAreNeeded) {
   EXPECT_EQ(coordinateText(100.0625), "100.0625");
   EXPECT_EQ(coordinateText(1.0 / 3), "0.3333");
   EXPECT_EQ(coordinateText(-7.00049), "-7.0005");
+}
+
+TEST(NewLevel, ANewLevelIsValidWithoutWarningsAndSolved) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    const auto solid = static_cast<SolidKind>(kind);
+    const LevelResult result = loadLevel(newLevelText(solid, "My level"));
+    ASSERT_TRUE(result.level) << result.diagnostics.front().message;
+    EXPECT_TRUE(result.diagnostics.empty());
+    EXPECT_EQ(result.level->solid, solid);
+    EXPECT_EQ(result.level->title, "My level");
+    EXPECT_TRUE(LevelSolver(result.level).solve());
+  }
+}
+
+TEST(NewLevel, TheTitleIsMadeOfTheFileName) {
+  EXPECT_EQ(titleOf("02_half_turn.level"), "Half turn");
+  EXPECT_EQ(titleOf("room"), "Room");
+  EXPECT_EQ(titleOf("07.level"), "New level");
+  EXPECT_EQ(titleOf("\xff\n.level"), "New level");
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "client/editor/level_document.h"
-#include "client/editor/new_level.h"
 #include "levels/drawing/solid_frame.h"
 
 namespace platon::over_edges_test {
