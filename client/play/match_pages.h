@@ -3,15 +3,30 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "client/menu/menu.h"
 #include "client/menu/text_field.h"
 #include "client/play/match/live_match.h"
-#include "client/ui/skip_question.h"
 #include "client/ui/user_interface.h"
 #include "protocol/chat.h"
 
 namespace platon {
+
+/// Asks a player who is alone once more before it leaves a level whose goal it has not reached.
+class SkipQuestion {
+ public:
+  /// The player wishes the next level. Returns whether to go there: at once if the goal is `reached`, else when the
+  /// player wishes it a second time.
+  bool wish(bool reached) { return std::exchange(asked_, !reached && !asked_) || reached; }
+  /// The player does something else.
+  void takeBack() { asked_ = false; }
+  /// Whether the question is open.
+  bool asked() const { return asked_; }
+
+ private:
+  bool asked_ = false;
+};
 
 /// The pages over a match: the pause, and the one to say something to the others.
 class MatchPages {

@@ -14,7 +14,6 @@
 #include "client/play/match_pages.h"
 #include "client/play/screen.h"
 #include "client/ui/controls/input_mapper.h"
-#include "client/ui/skip_question.h"
 #include "client/ui/spectator.h"
 
 namespace platon {

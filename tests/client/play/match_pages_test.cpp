@@ -19,6 +19,32 @@
 namespace platon::match_pages_test {
 namespace {
 
+TEST(SkipQuestion, TheSecondWishLeavesAnUnfinishedLevel) {
+  SkipQuestion question;
+  EXPECT_FALSE(question.wish(false));
+  EXPECT_TRUE(question.asked());
+  EXPECT_TRUE(question.wish(false));
+  EXPECT_FALSE(question.asked());
+  EXPECT_FALSE(question.wish(false)) << "the next level is asked about anew";
+}
+
+TEST(SkipQuestion, AnythingElseTakesTheWishBack) {
+  SkipQuestion question;
+  question.wish(false);
+  question.takeBack();
+  EXPECT_FALSE(question.asked());
+  EXPECT_FALSE(question.wish(false));
+}
+
+TEST(SkipQuestion, AfterTheGoalNothingIsAsked) {
+  SkipQuestion question;
+  EXPECT_TRUE(question.wish(true));
+  EXPECT_FALSE(question.asked());
+  question.wish(false);
+  EXPECT_TRUE(question.wish(true)) << "the goal was reached meanwhile";
+  EXPECT_FALSE(question.asked());
+}
+
 class MatchPagesTest : public testing::Test {
  protected:
   MatchPagesTest() {
