@@ -44,6 +44,16 @@ TEST(GoldenFilesTest, EveryLevelHasARecordingOfItsCurrentText) {
   EXPECT_EQ(recorded.size(), lockstepLevels().size());
 }
 
+TEST(GoldenFilesTest, AllKindsOfElementsAreRecorded) {
+  const auto level = levelFrom("tests/determinism/golden/levels/words.level");
+  std::set<ElementKind> kinds;
+  for (const Element& element : level->elements) kinds.insert(element.kind);
+  for (const ElementKind kind : kElementKinds) {
+    EXPECT_TRUE(kinds.contains(kind)) << "add '" << wordOf(kind)
+                                      << "' to words() in tests/determinism/golden/make_levels.py, and run record.sh";
+  }
+}
+
 TEST(GoldenFilesTest, PlayersCrossEdgesAndHaveSeveralInstances) {
   std::uint64_t crossings = 0;
   std::size_t maxInstances = 0;

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "levels/reach/jump_heights.h"
@@ -187,6 +189,14 @@ std::vector<Case> some(const std::vector<Case>& cases) {
   std::vector<Case> chosen;
   for (std::size_t i = 0; i < cases.size(); i += isBrief() ? 3 : 1) chosen.push_back(cases[i]);
   return chosen;
+}
+
+TEST(ReachLawCases, HaveAllWords) {
+  for (const ElementKind kind : kElementKinds) {
+    EXPECT_TRUE(std::any_of(std::begin(kWords), std::end(kWords),
+                            [&](std::string_view word) { return word.substr(0, word.find(' ')) == wordOf(kind); }))
+        << "add '" << wordOf(kind) << "' to kWords: what Reach proves of it would not be tried";
+  }
 }
 
 class ReachLawTest : public testing::TestWithParam<Case> {};

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -34,6 +36,17 @@ constexpr std::array<std::string_view, 5> kSeeds = {
     "-70 90 -70\n%\n-20 0 20 0 checkpoint\n-90 -40 90 -40 hazard\n%\n-40 0 -40 40 key 1\n40 0 40 40 door 1\n%\n-99 9 "
     "99 9 "
     "up 2\n"};
+
+TEST(ElementLevelTest, HasAllKindsOfElements) {
+  std::set<ElementKind> kinds;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const LevelResult result = loadLevel(elementLevel(1, seed));
+    if (!result.level) continue;
+    for (const Element& element : result.level->elements) kinds.insert(element.kind);
+  }
+  for (const ElementKind kind : kElementKinds)
+    EXPECT_TRUE(kinds.contains(kind)) << "add '" << wordOf(kind) << "' to tests/support/element_level.cpp";
+}
 
 class Mutator {
  public:
