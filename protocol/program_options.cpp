@@ -111,7 +111,8 @@ bool ProgramOptions::read(int argc, const char* const* argv) {
     const std::vector<std::string> unknown = app_->remaining();
     const bool lacksCommand = app_->get_require_subcommand_min() > 0 && app_->get_subcommands().empty();
     if (!lacksCommand || unknown.empty()) refuse(error.what());
-    refuse(fmt::format("'{}' is no {}", unknown.front(), unknown.front().starts_with('-') ? "option" : "command"));
+    refuse(
+        fmt::format("'{}' is not {}", unknown.front(), unknown.front().starts_with('-') ? "an option" : "a command"));
   }
 }
 

@@ -39,9 +39,9 @@ void warnOfGoalAtWall(const Level& level, Diagnostics& diagnostics) {
       const double apart = distance(unitsOf(goal.position), Line{unitsOf(segment.a), unitsOf(segment.b)});
       const Element* const element = findElement(level.elements, goal.part, static_cast<std::uint32_t>(i));
       if (apart >= radius + kGoalClearance || (element != nullptr && !canBlock(element->kind))) continue;
-      diagnostics.warning(level.goalAt, "the goal's disc, of radius 16, is at the line of text line " +
+      diagnostics.warning(level.goalAt, "the goal's disc, of radius 16, is too close to line " +
                                             std::to_string(level.positions[goal.part][i].line) +
-                                            ": move it away, or it may be touched through the line");
+                                            ": move it away, or players may touch it through the line");
       return;
     }
   }

@@ -53,7 +53,8 @@ Canvas::Canvas(int width, int height, Colour background)
       surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
       context_(cairo_create(surface_.get())),
       typeface_(std::make_unique<Typeface>()) {
-  if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no memory for the picture");
+  if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error("there is not enough memory for the picture");
   use({background});
   cairo_paint(context_.get());
   cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);

@@ -22,7 +22,7 @@ void readWithout(const platon::ProgramOptions& program, std::vector<std::string>
   const std::string word = words.front() + (words.size() > 1 ? " " + words.back() : "");
   solving.without = platon::needOf(word);
   if (!solving.without)
-    program.refuse("--without: '" + word + "' is no key K or plate K with K from 0 to 31, and no checkpoint");
+    program.refuse("--without must be key K or plate K with K from 0 to 31, or checkpoint, not '" + word + "'");
 }
 
 int run(int argc, char** argv) {
@@ -50,24 +50,25 @@ int run(int argc, char** argv) {
   auto solve = program.addCommand("solve", "Search for a way to the goal");
   solve.add("FILE", solving.file, "Level file");
   const Option output =
-      solve.add("-o,--output", solving.recording, "Recording of the way to write").placeholder("FILE");
+      solve.add("-o,--output", solving.recording, "Recording to write, of the way that was found").placeholder("FILE");
   const Option crossings = solve
                                .add("--without-crossing", solving.withoutCrossing,
-                                    "Prove that no way to the goal has fewer than this many crossings of edges")
+                                    "Prove that every way to the goal crosses at least this many edges")
                                .range(0, 200);
   std::vector<std::string> without;
   const Option element =
-      solve.add("--without", without, "Prove that every way to the goal uses a key K or a plate K, or a checkpoint")
+      solve.add("--without", without, "Prove that every way to the goal uses this: key K, plate K or checkpoint")
           .placeholder("WORD K")
           .texts(1, 2);
-  const Option pressCost = solve
-                               .add("--press-cost", solving.pressCost,
-                                    "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
-                               .range(0, 600)
-                               .showDefault();
+  const Option pressCost =
+      solve
+          .add("--press-cost", solving.pressCost,
+               "Count each press of a button as this many ticks: 0 finds a fast way, 30 an easy one")
+          .range(0, 600)
+          .showDefault();
   solve
       .add("--recorded", solving.recorded,
-           "Tell about the way in this recording instead of searching; fails if it does not lead to the goal")
+           "Describe the way in this recording instead of searching; fail if it does not lead to the goal")
       .placeholder("FILE")
       .excludes(output)
       .excludes(crossings)

@@ -98,8 +98,10 @@ int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options)
       way.level->hash == level->hash && !way.inputs.empty() && way.inputs.front().size() >= level->players;
   const auto facts = isOfLevel ? factsOf(level, way.inputs) : std::nullopt;
   if (!facts) {
-    std::fprintf(stderr, "platon-level: '%s' is no way to the goal of '%s' as it is now; record a new one with -o\n",
-                 options.recorded.c_str(), options.file.c_str());
+    std::fprintf(
+        stderr,
+        "platon-level: the way in '%s' does not lead to the goal of '%s' as it is now; record a new one with -o\n",
+        options.recorded.c_str(), options.file.c_str());
     return ProgramError::kFailed;
   }
   options.json ? printFactsJson(*level, *facts) : printFacts(*level, *facts);

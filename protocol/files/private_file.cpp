@@ -57,7 +57,7 @@ OpenedFile lockBeside(const std::string& file, WithoutLocks without) {
   const LockResult result = lockFile(opened.file);
   if (result == LockResult::kHeld) return {Descriptor(), lockFault(path)};
   if (result == LockResult::kNoLocks && without == WithoutLocks::kRefuse)
-    return {Descriptor(), "the file system of '" + path + "' has no locks"};
+    return {Descriptor(), "the file system of '" + path + "' has no locks; name a file in another one"};
   return opened;
 }
 

@@ -59,8 +59,8 @@ std::string ServerAddress::text() const {
 ServerAddress parseServerAddress(std::string_view text) {
   if (IpAddress::parse(text)) return {std::string(text), kDefaultPort};
   if (hasZone(text)) {
-    refuseAddress(text,
-                  "an IPv6 address with a zone ('%') is not supported; use the server's name or another address of it");
+    refuseAddress(
+        text, "an IPv6 address with a zone ('%') is not supported; use the server's name or another of its addresses");
   }
   if (text.starts_with('[')) return parseIpv6(text);
   const std::size_t colon = text.find(':');

@@ -204,7 +204,7 @@ int create(const std::string& path, const std::string& line) {
 std::optional<ServerIdentity> findIdentity(const std::string& path) {
   if (access(path.c_str(), F_OK) != 0 && errno == ENOENT) return std::nullopt;
   std::optional<ServerIdentity> identity = ServerIdentity::parse(firstLine(path));
-  if (!identity) refuseFile(path, "not a key of platon-server; name a file that does not exist to have one made");
+  if (!identity) refuseFile(path, "not a key of platon-server; for a new key, name a file that does not exist");
   return identity;
 }
 
@@ -230,7 +230,7 @@ std::string keyFileWarning(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || status.st_uid != geteuid()) return {};
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) == 0) return {};
-  return "others may open the file, and who has the key can pose as the server; run chmod 600 " + path;
+  return "others may open the file, and anyone who has the key can pose as the server; run chmod 600 " + path;
 }
 
 bool checkKeyFile(const std::string& path) {

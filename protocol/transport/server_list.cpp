@@ -28,7 +28,7 @@ std::string signedText(const ServerAddress& address, std::string_view name) {
 std::string textIn(const Json& entry, const char* key) {
   const auto found = entry.find(key);
   if (found == entry.end() || !found->is_string())
-    throw std::invalid_argument(std::string("\"") + key + "\" must be a text");
+    throw std::invalid_argument(std::string("\"") + key + "\" must be a string");
   return found->get<std::string>();
 }
 
@@ -39,12 +39,14 @@ ListedServer readEntry(const Json& entry) {
   if (!isNextServer(address)) throw std::invalid_argument("\"address\" must be HOST:PORT of at most 128 bytes");
   server.address = parseServerAddress(address);
   server.name = textIn(entry, "name");
-  if (!isLabel(server.name, kMaxNameBytes)) throw std::invalid_argument("\"name\" is not one of a server");
+  if (!isLabel(server.name, kMaxNameBytes))
+    throw std::invalid_argument("\"name\" must be a text of at most " + std::to_string(kMaxNameBytes) +
+                                " bytes without control characters");
   const auto key = keyOf(textIn(entry, "key"));
   const auto signature = signatureOf(textIn(entry, "signature"));
-  if (!key) throw std::invalid_argument("\"key\" is not one of a server");
+  if (!key) throw std::invalid_argument("\"key\" is not the key of a server");
   if (!signature || !isSignature(*signature, signedText(server.address, server.name), *key))
-    throw std::invalid_argument("the signature is not one of this key; let the server write the entry again");
+    throw std::invalid_argument("the signature does not match the entry; let the server write the entry again");
   server.key = *key;
   server.signature = *signature;
   return server;
@@ -54,7 +56,7 @@ void refuseTwins(const std::vector<ListedServer>& servers, const ListedServer& s
   const std::string address = server.address.text();
   if (std::any_of(servers.begin(), servers.end(),
                   [&](const ListedServer& other) { return other.address.text() == address; }))
-    throw std::invalid_argument("another entry has this address; leave one out");
+    throw std::invalid_argument("another entry has this address; remove one of the two");
 }
 
 // Leaves out what is nested too deeply, so that nothing which walks through the result has to go deeper.
@@ -89,13 +91,13 @@ std::variant<ServerList, ParseError> readServerList(std::string_view text) {
   bool tooDeep = false;
   const Json json = text.size() <= kMaxServerListBytes ? parse(text, tooDeep) : Json();
   if (tooDeep)
-    return ParseError{"it has more than " + std::to_string(kMaxDepth) +
-                      " arrays and objects in each other; take them out"};
+    return ParseError{"its arrays and objects are nested more than " + std::to_string(kMaxDepth) +
+                      " deep; take these out"};
   const auto entries = json.find(kServers);
   if (entries == json.end() || !entries->is_array())
-    return ParseError{"it is no list of servers: JSON of at most 512 KiB with the key \"platonServers\""};
+    return ParseError{"it is not a list of servers, which is JSON of at most 512 KiB with the key \"platonServers\""};
   if (entries->size() > kMaxListedServers)
-    return ParseError{"it has more than " + std::to_string(kMaxListedServers) + " servers"};
+    return ParseError{"it has more than " + std::to_string(kMaxListedServers) + " servers; remove some"};
   ServerList list;
   for (std::size_t i = 0; i < entries->size(); ++i) {
     try {

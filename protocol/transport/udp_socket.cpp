@@ -72,7 +72,7 @@ struct UdpSocket::Batches {
 UdpSocket::UdpSocket(const std::string& bind, std::uint16_t port) : batches_(std::make_unique<Batches>()) {
   std::optional<IpAddress> ip = IpAddress::parse(bind);
   if (!ip) {
-    throw SocketError("cannot listen on '" + bind + "': not an IP address, such as 127.0.0.1 or ::",
+    throw SocketError("cannot listen on '" + bind + "': it is not an IP address; name one such as 127.0.0.1 or ::",
                       SocketError::kUsage);
   }
   open(!ip->isIpv4());

@@ -44,7 +44,7 @@ std::string replaceEntry(const std::string& file, const ServerAddress& address, 
   if (before != servers.end()) servers.erase(before);
   servers.insert(servers.end(), wanted.begin(), wanted.end());
   if (servers.size() > kMaxListedServers)
-    return "the list is full: it has " + std::to_string(kMaxListedServers) + " servers";
+    return "the list is full: it has " + std::to_string(kMaxListedServers) + " servers; remove one of them";
   return replacePublicFile(file, serverListText(servers));
 }
 

@@ -40,7 +40,8 @@ std::variant<AddressRange, ParseError> AddressRange::parse(std::string_view text
   const std::size_t slash = text.find('/');
   const auto address = addressOf(text.substr(0, slash));
   if (!address) {
-    return ParseError{quoted(text) + " is not an address or a range of addresses, such as 192.0.2.7 or 2001:db8::/32"};
+    return ParseError{quoted(text) +
+                      " is not an address or a range of addresses; write one such as 192.0.2.7 or 2001:db8::/32"};
   }
   if (slash == std::string_view::npos) return AddressRange(*address);
   const std::string_view number = text.substr(slash + 1);
@@ -54,7 +55,7 @@ std::variant<AddressRange, ParseError> AddressRange::parse(std::string_view text
   if (dotted) bits += kIpv4Bits;
   const AddressRange range = around(*address, bits);
   if (range.first_ == *address) return range;
-  return ParseError{quoted(text) + " has bits after its first " + std::string(number) + ": write " + range.text()};
+  return ParseError{quoted(text) + " has bits set after its first " + std::string(number) + ": write " + range.text()};
 }
 
 std::string AddressRange::text() const {
@@ -88,7 +89,7 @@ struct BanReader : LineReader {
       next();
       ban.until = parseUtcTime(next());
       if (!ban.until) {
-        return ParseError{"after 'until' must stand a time in UTC, such as 2026-12-01 or 2026-12-01T18:00:00Z"};
+        return ParseError{"'until' must be followed by a time in UTC, such as 2026-12-01 or 2026-12-01T18:00:00Z"};
       }
     }
     auto reason = parseBanReason(rest());
@@ -112,7 +113,7 @@ std::variant<std::string, ParseError> parseBanReason(std::string_view text) {
   const bool plain = isLabel(reason, Ban::kMaxReasonBytes) && reason.find('#') == std::string_view::npos;
   if (plain && words.peek() != kUntil) return std::string(reason);
   return ParseError{"the reason must have at most " + std::to_string(Ban::kMaxReasonBytes) +
-                    " bytes of text, without control characters and #, and must not begin with 'until'"};
+                    " bytes of text, without control characters or #, and must not begin with 'until'"};
 }
 
 std::variant<BanList, std::vector<Diagnostic>> BanList::parse(std::string_view text) {
@@ -257,8 +258,9 @@ std::optional<ParseError> BanStore::remove(const AddressRange& range, UtcTime no
   if (!list_.remove(range)) {
     const Ban* other = list_.find(range.first(), now);
     const bool wider = other && other->range.bits() < range.bits();
-    return ParseError{"there is no ban of " + range.text() +
-                      (wider ? "; it is part of " + other->range.text() : "; the command bans lists all")};
+    return ParseError{
+        "there is no ban of " + range.text() +
+        (wider ? "; the ban of " + other->range.text() + " includes it" : "; the command 'bans' lists all of them")};
   }
   save(now);
   return std::nullopt;
@@ -268,8 +270,8 @@ std::optional<ParseError> BanStore::replace(BanList list) {
   if (!file_) return std::nullopt;
   if (pending()) {
     return ParseError{path_ +
-                      ": error: the last change of the bans is not written to this file yet, and will replace what is "
-                      "in it; reload again when it is written"};
+                      ": error: the last change of the bans has not been written to this file yet, and will replace "
+                      "what is in it; reload again when it has been written"};
   }
   list_ = std::move(list);
   return std::nullopt;

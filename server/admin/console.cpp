@@ -54,7 +54,7 @@ struct Syntax {
 };
 
 ParseError playerMissing() {
-  return {"name a player: its number or its name, in quotes if it contains spaces (see the command players)"};
+  return {"name a player by number or by name, in quotes if it contains spaces (see the command 'players')"};
 }
 
 template <class Command>
@@ -100,7 +100,7 @@ Result readBan(Arguments& arguments) {
 Result readUnban(Arguments& arguments) {
   auto range = AddressRange::parse(arguments.next());
   if (auto* error = std::get_if<ParseError>(&range)) return std::move(*error);
-  if (!arguments.empty()) return ParseError{"name one address or range (see the command bans)"};
+  if (!arguments.empty()) return ParseError{"name one address or range (see the command 'bans')"};
   return UnbanCommand{std::get<AddressRange>(range)};
 }
 
@@ -114,7 +114,8 @@ Result readMute(Arguments& arguments) {
 Result readSay(Arguments& arguments) {
   const std::string_view text = arguments.rest();
   if (isLabel(text, kMaxReasonBytes) && !visibleLabel(text).empty()) return SayCommand{std::string(text)};
-  return ParseError{"the text must have 1 to " + std::to_string(kMaxReasonBytes) + " bytes that can be seen"};
+  return ParseError{"the text must have at most " + std::to_string(kMaxReasonBytes) +
+                    " bytes, and something that can be seen"};
 }
 
 Result readDrain(Arguments& arguments) {
@@ -126,14 +127,14 @@ Result readDrain(Arguments& arguments) {
     std::int64_t seconds = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seconds);
     if (error != std::errc() || seconds < 1 || seconds > kMaxDrain.count()) {
-      return ParseError{"the limit is a number of seconds from 1 to " + std::to_string(kMaxDrain.count()) +
-                        "; stop ends the server at once"};
+      return ParseError{"the limit must be a number of seconds from 1 to " + std::to_string(kMaxDrain.count()) +
+                        "; 'stop' stops the server at once"};
     }
     command.limit = std::chrono::seconds(seconds);
   }
   command.next = arguments.next();
   if (arguments.empty() && (command.next.empty() || isNextServer(command.next))) return command;
-  return ParseError{"name a number of seconds, then perhaps one server, such as 600 play.example.org:7777"};
+  return ParseError{"name a number of seconds, a server, or both in this order, such as 600 play.example.org:7777"};
 }
 
 constexpr std::array kSyntax{
@@ -141,16 +142,18 @@ constexpr std::array kSyntax{
     Syntax{{"players", "", "each player with number, name and address"}, &readPlain<PlayersCommand>},
     Syntax{{"kick", "PLAYER [REASON]", "removes a player, who may come back"}, &readKick},
     Syntax{
-        {"ban", "PLAYER|RANGE [DURATION] [REASON]", "removes a player or all of a range, and lets none of them join"},
+        {"ban", "PLAYER|RANGE [DURATION] [REASON]", "removes a player or all players of a range, and keeps them out"},
         &readBan},
     Syntax{{"unban", "RANGE", "ends a ban"}, &readUnban},
     Syntax{{"bans", "", "all bans"}, &readPlain<BansCommand>},
     Syntax{{"mute", "PLAYER", "shows a player to everybody by number instead of by name"}, &readMute<true>},
     Syntax{{"unmute", "PLAYER", "shows the name again"}, &readMute<false>},
-    Syntax{{"say", "TEXT", "shows a text to all players for some seconds"}, &readSay},
+    Syntax{{"say", "TEXT", "shows a text to all players for a few seconds"}, &readSay},
     Syntax{{"next", "", "ends the round; the next level follows"}, &readPlain<NextCommand>},
     Syntax{{"reload", "", "reads configuration, levels and bans again, as SIGHUP does"}, &readPlain<ReloadCommand>},
-    Syntax{{"drain", "[SECONDS] [HOST:PORT]", "stops after this round; players are told the other server"}, &readDrain},
+    Syntax{{"drain", "[SECONDS] [HOST:PORT]",
+            "stops the server after this round, and tells the players to go on at HOST:PORT"},
+           &readDrain},
     Syntax{{"stop", "", "stops the server at once"}, &readPlain<StopCommand>},
     Syntax{{"help", "", "this list"}, &readPlain<HelpCommand>}};
 
@@ -173,7 +176,7 @@ std::variant<ConsoleCommand, ParseError> parseConsoleCommand(std::string_view li
   const std::string_view name = words.next();
   const auto* syntax =
       std::find_if(kSyntax.begin(), kSyntax.end(), [name](const Syntax& one) { return one.help.name == name; });
-  if (syntax == kSyntax.end()) return ParseError{quoted(name) + " is no command: help lists all"};
+  if (syntax == kSyntax.end()) return ParseError{quoted(name) + " is not a command: 'help' lists all commands"};
   Arguments arguments(words.rest());
   return syntax->read(arguments);
 }
@@ -264,7 +267,7 @@ std::variant<PlayerStatus, ParseError> Console::find(const PlayerWord& word) con
     return isNumber ? numberOf(player.slot) != word.text : player.name != word.text;
   });
   if (!found.empty()) return found.front();  // no two players have one name
-  return ParseError{"there is no player " + platon::quoted(word.text) + ": the command players lists all"};
+  return ParseError{"there is no player " + platon::quoted(word.text) + ": the command 'players' lists all of them"};
 }
 
 ConsoleReply Console::run(const StatusCommand&, UtcTime) const {
@@ -300,7 +303,7 @@ std::variant<AddressRange, ParseError> Console::rangeOf(const PlayerWord& word) 
   if (auto* error = std::get_if<ParseError>(&found)) return std::move(*error);
   const auto& player = std::get<PlayerStatus>(found);
   if (!player.address.isLoopback()) return AddressRange::householdOf(player.address);
-  return ParseError{described(player) + " plays on this machine, which cannot be banned: use kick"};
+  return ParseError{described(player) + " plays on this machine, which cannot be banned: use 'kick'"};
 }
 
 ConsoleReply Console::run(const BanCommand& command, UtcTime now) const {
@@ -369,7 +372,7 @@ ConsoleReply Console::run(const HelpCommand&, UtcTime) const {
   }
   lines.emplace_back(
       "PLAYER: number or name, in quotes if it contains spaces. RANGE: 192.0.2.7, 192.0.2.0/24, 2001:db8::/32.");
-  lines.emplace_back("DURATION: 90s, 30m, 2h, 7d or 4w; without one, a ban has no end. quit leaves the console.");
+  lines.emplace_back("DURATION: 90s, 30m, 2h, 7d or 4w; without one, a ban has no end. 'quit' leaves the console.");
   return {true, joined(lines, "\n")};
 }
 

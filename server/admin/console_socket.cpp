@@ -49,7 +49,7 @@ int exitCodeOf(int fault) { return fault == EADDRINUSE ? ProgramError::kFailed :
 
 void refuseOtherKind(const std::string& path) {
   struct stat status {};
-  if (lstat(path.c_str(), &status) == 0 && !S_ISSOCK(status.st_mode)) refuse(path, "it is a file of another kind");
+  if (lstat(path.c_str(), &status) == 0 && !S_ISSOCK(status.st_mode)) refuse(path, "it is not a socket");
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ void ConsoleServer::executeNext(Console& console, TimePoint now, const Execute& 
     console.activeAt = now;
   } else if (console.lines.tooLong()) {
     console.output = encode(ConsoleReply{
-        false, "a command has at most " + std::to_string(kMaxConsoleLineBytes) + " bytes; the console is closed"});
+        false, "the command has more than " + std::to_string(kMaxConsoleLineBytes) + " bytes; the console is closed"});
     console.closing = true;
     console.lines = LineBuffer(kMaxConsoleLineBytes);
   }
@@ -229,9 +229,10 @@ int runConsole(const std::string& path, const ConsoleTerminal& terminal) {
     return fail(terminal, "no server answers at '" + path + "' (" + std::strerror(error) + "); " + cause);
   }
   if (!listenerIsTrusted(socket, path)) {
-    return fail(terminal, "the server at '" + path +
-                              "' belongs to another user; name the socket of your own after --socket, or run the "
-                              "console as that user");
+    return fail(terminal,
+                "the server at '" + path +
+                    "' belongs to another user; name the socket of your own server after --socket, or run the "
+                    "console as that user");
   }
   ServerConnection server(std::move(socket));
   bool failed = false;
@@ -243,7 +244,8 @@ int runConsole(const std::string& path, const ConsoleTerminal& terminal) {
   while (next()) {
     if (isSkipped(line)) continue;
     const auto reply = server.ask(line);
-    if (!reply) return fail(terminal, "the server at '" + path + "' has ended or does not answer");
+    if (!reply)
+      return fail(terminal, "the server at '" + path + "' has stopped or does not answer; its log may say why");
     print(terminal, *reply);
     failed = failed || !reply->ok;
   }

@@ -87,7 +87,7 @@ class DedicatedServer {
   const TickTimes& tickTimes() const { return tickTimes_; }
   /// The same of the last one to two minutes by the clock of `run`.
   TickTimes recentTickTimes() const { return recentTickTimes_.all(now_()); }
-  /// Ticks that were dropped so far, because the server was stopped or too slow.
+  /// Ticks that were dropped so far, because the server was paused or too slow.
   std::uint64_t droppedTicks() const { return droppedTicks_; }
   /// Recordings that could not be written to their end so far.
   std::uint64_t stoppedRecordings() const { return stoppedRecordings_; }

@@ -48,7 +48,8 @@ ServerIdentity loadIdentity(const std::string& keyFile, Log& log) {
       fault = error.what();
     }
   }
-  log.warning("the key of the server is not kept: after a restart, clients will not recognise it", {{"reason", fault}});
+  log.warning("the key of the server is not kept: after a restart, clients will not recognise the server",
+              {{"reason", fault}});
   return ServerIdentity::random();
 }
 

@@ -22,6 +22,6 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths);
 /// from which it was built. Throws ProgramError if they are in neither place; its text ends with `otherwise`, which
 /// says what the user can do.
 std::vector<std::string> shippedLevelFiles(
-    const std::string& otherwise = "name level files, such as platon-server my.level");
+    const std::string& otherwise = "name level files, as in 'platon-server my.level'");
 
 }  // namespace platon

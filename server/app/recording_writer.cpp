@@ -125,7 +125,7 @@ void RecordingFolder::write(const RecordingPiece& piece, Time now, std::vector<R
     discardRest();
   };
   if (!makeRoom(piece.bytes.size(), events)) {
-    return stop("the limit of " + std::to_string(limit_) + " bytes for recordings is reached");
+    return stop("the limit of " + std::to_string(limit_) + " bytes for recordings is reached; raise --record-limit");
   }
   if ((begins && !open()) || !append(piece)) return stop(std::strerror(errno));
   if (!piece.last) return;

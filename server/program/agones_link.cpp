@@ -43,7 +43,7 @@ void AgonesLink::finish(Log& log) {
   if (!reporter_) return;
   const bool knows = reporter_->finish(kFinishLimit);
   logEvents(log);
-  if (!knows) log.warning("agones was not told the end");
+  if (!knows) log.warning("agones was not told that the server stops");
   reporter_.reset();
 }
 

@@ -18,7 +18,7 @@
 namespace platon {
 namespace {
 
-constexpr const char* kOtherSocket = "; all is well if it is this server, which was started with another --socket";
+constexpr const char* kOtherSocket = "; ignore this if that program is this server, started with another --socket";
 
 /// Collects what is wrong.
 class Checker {

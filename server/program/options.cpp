@@ -114,16 +114,18 @@ const std::array kOptions{
                  .help = "Folder for a recording of each round, created if missing",
                  .whenEmpty = "no recordings",
                  .isPath = true},
-    ServerOption{.name = "record-limit",
-                 .placeholder = "SIZE",
-                 .field = &ServerOptions::recordLimit,
-                 .help = "Size of all recordings in this folder, in bytes or with K, M or G; the oldest are removed",
-                 .mustBe = "a number of bytes, or one with K, M or G, such as 500M",
-                 .accepts = &isByteSize},
+    ServerOption{
+        .name = "record-limit",
+        .placeholder = "SIZE",
+        .field = &ServerOptions::recordLimit,
+        .help =
+            "Largest total size of the recordings in this folder, in bytes or with K, M or G; the oldest are removed",
+        .mustBe = "a number of bytes, or one with K, M or G, such as 500M",
+        .accepts = &isByteSize},
     ServerOption{.name = "key-file",
                  .placeholder = "FILE",
                  .field = &ServerOptions::keyFile,
-                 .help = "File with the key that tells clients that this is the same server; made if missing",
+                 .help = "File with the key that tells clients that this is the same server; created if missing",
                  .whenEmpty = "server.key in $STATE_DIRECTORY, or else in the data folder of the user",
                  .isPath = true},
     ServerOption{.name = "password-file",
@@ -141,7 +143,7 @@ const std::array kOptions{
     ServerOption{.name = "best-times",
                  .placeholder = "FILE",
                  .field = &ServerOptions::bestTimes,
-                 .help = "File that keeps the best time of each level; made if missing",
+                 .help = "File that keeps the best time of each level; created if missing",
                  .whenEmpty = "best times end with the server",
                  .isPath = true},
     ServerOption{.name = "socket",
@@ -160,30 +162,30 @@ const std::array kOptions{
     ServerOption{.name = "drain",
                  .placeholder = "SECONDS",
                  .field = &ServerOptions::drain,
-                 .help = "Longest time for which SIGTERM lets the players finish their round; 0: none",
+                 .help = "Longest time in seconds for which SIGTERM lets the players finish their round; 0: none",
                  .needsRestart = false,
                  .most = kMaxDrain.count()},
     ServerOption{.name = "drain-to",
                  .placeholder = "HOST:PORT",
                  .field = &ServerOptions::drainTo,
-                 .help = "Server where the players of a server that drains are told to go on",
+                 .help = "Server at which players are told to go on when this one drains",
                  .whenEmpty = "none",
                  .needsRestart = false,
-                 .mustBe = "an address of a server of at most 128 bytes, such as play.example.org:7777",
+                 .mustBe = "a server's address of at most 128 bytes, such as play.example.org:7777",
                  .accepts = &isOtherServer},
-    ServerOption{
-        .name = "announce",
-        .placeholder = "FILE",
-        .field = &ServerOptions::announce,
-        .help = "List of servers that this one enters itself into, for a web server to publish; made if missing",
-        .whenEmpty = "none",
-        .isPath = true},
+    ServerOption{.name = "announce",
+                 .placeholder = "FILE",
+                 .field = &ServerOptions::announce,
+                 .help = "File with a list of servers, to which this one adds itself, for a web server to publish; "
+                         "created if missing",
+                 .whenEmpty = "none",
+                 .isPath = true},
     ServerOption{.name = "announce-as",
                  .placeholder = "HOST:PORT",
                  .field = &ServerOptions::announceAs,
-                 .help = "Address in this list, at which players reach the server",
+                 .help = "Address of this server in the list, at which players reach it",
                  .whenEmpty = "none",
-                 .mustBe = "an address of a server of at most 128 bytes, such as play.example.org:7777",
+                 .mustBe = "a server's address of at most 128 bytes, such as play.example.org:7777",
                  .accepts = &isOtherServer}};
 static_assert(kMaxNameBytes == 32);
 
@@ -281,7 +283,7 @@ std::optional<ParseError> setOption(const ServerOption& option, const std::strin
 
 std::string printedConfig() {
   const ServerOptions defaults;
-  std::string text = "# Configuration of platon-server. Options of the command line override it.\n";
+  std::string text = "# Configuration of platon-server. Command-line options override it.\n";
   text += "# Files and folders are relative to this file.\n";
   for (const ServerOption& option : kOptions) {
     text += "\n" + commentOf(option) + "\n" + std::string(option.name) + " = ";
@@ -324,8 +326,8 @@ class NestingCheck {
         return errors.error(position(from),
                             "more than " + std::to_string(kMaxParts) + " parts are joined by dots; a key has one part");
       if (depth_ > kMaxDepth)
-        return errors.error(position(from), "more than " + std::to_string(kMaxDepth) +
-                                                " lists and tables are in each other; a value is at most a list");
+        return errors.error(position(from), "lists and tables are nested more than " + std::to_string(kMaxDepth) +
+                                                " deep; a value is at most a list");
     }
   }
 
@@ -486,7 +488,8 @@ std::vector<std::string> readConfigFile(const std::string& path, ServerOptions& 
   }
   const auto& content = std::get<std::string>(text);
   if (content.size() > kMaxConfigBytes) {
-    return {path + ": error: the file has more than " + std::to_string(kMaxConfigBytes) + " bytes"};
+    return {path + ": error: the file has more than " + std::to_string(kMaxConfigBytes) +
+            " bytes; name a configuration file after --config"};
   }
   return readConfig(content, path, options);
 }

@@ -55,7 +55,7 @@ std::vector<Metric> metricsOf(const DedicatedServer& server, const ProgramFacts&
        "gauge",
        "Longest tick of the last one to two minutes, 0 without ticks.",
        {{secondsText(recent.longest()), {}, {}}}},
-      {"platon_dropped_ticks_total", "counter", "Ticks that were dropped because the server was stopped or too slow.",
+      {"platon_dropped_ticks_total", "counter", "Ticks that were dropped because the server was paused or too slow.",
        one(server.droppedTicks())},
       {"platon_received_bytes_total", "counter", "Bytes of received datagrams.", one(traffic.receivedBytes)},
       {"platon_sent_bytes_total", "counter", "Bytes of sent datagrams.", one(traffic.sentBytes)},
@@ -65,10 +65,10 @@ std::vector<Metric> metricsOf(const DedicatedServer& server, const ProgramFacts&
       {"platon_drops_total", "counter", "Traffic that was rejected, by reason.", drops(server)},
       {"platon_stopped_recordings_total", "counter", "Recordings that could not be written to their end.",
        one(server.stoppedRecordings())},
-      {"platon_unwritten_bans_total", "counter", "How often the ban file could not be written; it is tried every 10 s.",
-       one(facts.unwrittenBans)},
+      {"platon_unwritten_bans_total", "counter",
+       "How often the ban file could not be written; the server tries again every 10 s.", one(facts.unwrittenBans)},
       {"platon_unwritten_best_times_total", "counter",
-       "How often the file of the best times could not be written; it is tried every 10 s.",
+       "How often the file of the best times could not be written; the server tries again every 10 s.",
        one(server.unwrittenBestTimes())},
   };
 }

@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds kNoticeTime{50};
 
 constexpr const char* kBansRemedy = "; make room on the disk, and let the server write to the folder of the file";
 constexpr const char* kLostBansRemedy =
-    "; make room on the disk, let the server write to the folder of the file, and enter again what is missing in it";
+    "; make room on the disk, let the server write to the folder of the file, and add what is missing from it";
 
 ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   ServerSettings settings;
@@ -174,7 +174,7 @@ void ServerProgram::terminate() {
 
 ConsoleReply ServerProgram::drain(const DrainCommand& command) {
   const std::chrono::seconds limit = command.limit.value_or(std::chrono::seconds(options_.drain));
-  if (limit.count() == 0) return {false, "name the longest time in seconds, such as drain 600"};
+  if (limit.count() == 0) return {false, "name the longest time in seconds, as in 'drain 600'"};
   const std::string& next = command.next.empty() ? options_.drainTo : command.next;
   drain_.begin(steadyNow(), limit, next);
   server_.setNextServer(next);

@@ -40,20 +40,20 @@ using Entry = std::pair<PlayedLevel, DatedTime>;
 struct TimeReader : LineReader {
   std::variant<Entry, ParseError> read() {
     const auto hash = hashIn(next());
-    if (!hash) return ParseError{"a line begins with the hash of a level, 16 digits 0 to 9 and a to f"};
+    if (!hash) return ParseError{"a line must begin with the hash of a level, 16 digits 0 to 9 and a to f"};
     const auto rules = numberOf(next());
-    if (!rules) return ParseError{"after the hash must stand the version of the rules, a whole number"};
+    if (!rules) return ParseError{"the hash must be followed by the version of the rules, a whole number"};
     const auto ticks = numberOf(next());
     const bool possible = ticks && *ticks >= 1 && (*rules != kRulesVersion || *ticks <= kMaxBestTicks);
     if (!possible) {
-      return ParseError{"after the rules must stand the ticks to the goal, 1 to " + std::to_string(kMaxBestTicks)};
+      return ParseError{"the version must be followed by the ticks to the goal, 1 to " + std::to_string(kMaxBestTicks)};
     }
     const auto date = dateOf(next());
-    if (!date) return ParseError{"after the ticks must stand the date in UTC, such as 2026-12-01T18:00:00Z"};
+    if (!date) return ParseError{"the ticks must be followed by the date in UTC, such as 2026-12-01T18:00:00Z"};
     const std::string_view label = rest();
     const std::string name = visibleLabel(label);
     if (name.empty() || !isLabel(label, kMaxNameBytes))
-      return ParseError{"at the end must stand the name of the player, 1 to 32 visible bytes"};
+      return ParseError{"the date must be followed by the name of the player, at most 32 bytes of text"};
     return Entry{{*hash, *rules}, {{*ticks, name}, *date}};
   }
 };
@@ -73,7 +73,7 @@ std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_vi
     if (const auto* error = std::get_if<ParseError>(&read)) {
       errors.push_back({lines.number(), line.column, true, error->what + "; correct or remove the line"});
     } else if (!times.times_.insert(std::get<Entry>(std::move(read))).second) {
-      errors.push_back({lines.number(), 1, true, "a second time of this level and these rules; remove one of them"});
+      errors.push_back({lines.number(), 1, true, "two times for this level and these rules; remove one of them"});
     }
   }
   times.limit();

@@ -30,7 +30,7 @@ std::vector<Diagnostic> Diagnostics::take() {
   });
   if (full_) {
     const Diagnostic last = found_.back();
-    found_.push_back({last.line, last.column, hasError_, "too many errors; fix these first"});
+    found_.push_back({last.line, last.column, hasError_, "too many errors and warnings; fix these first"});
   }
   return std::move(found_);
 }

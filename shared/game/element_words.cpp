@@ -47,7 +47,7 @@ std::string_view meaningOf(ElementKind kind) {
     case ElementNumber::kEdge:
       return "the number of an edge of the face";
     case ElementNumber::kDoor:
-      return "the number of a door and its keys";
+      return "the number of a door and of its keys and plates";
   }
   return {};
 }

@@ -47,7 +47,7 @@ bool checkCrowding(const LevelDraft& draft, Diagnostics& diagnostics) {
                       "too many lines in one place: more than " + std::to_string(kMaxSegmentsInReach) +
                           " touch the square of " + std::to_string(side) + " x " + std::to_string(side) +
                           " units round " + units(place.centre.x) + " " + units(place.centre.y) + " of face " +
-                          std::to_string(place.face) + "; remove some or spread them");
+                          std::to_string(place.face) + "; remove some or spread them out");
   }
   return places.empty();
 }
@@ -55,7 +55,8 @@ bool checkCrowding(const LevelDraft& draft, Diagnostics& diagnostics) {
 void checkStart(const LevelDraft& draft, const World& stage, Diagnostics& diagnostics) {
   const LevelPlace& start = *draft.start;
   if (isFreeForPlayer(stage, draft.elements, start.face, start.point, start.angle)) return;
-  diagnostics.error(start.at, "the start is blocked: a line or a corner overlaps the player there");
+  diagnostics.error(start.at,
+                    "the start is blocked: a line or a corner overlaps the player there; move the start or the line");
 }
 
 // A regular 16-gon around the player at every angle: the distance of its edges is 12.26 units.

@@ -189,7 +189,8 @@ void warnOfDuplicates(std::vector<PlacedSegment> placed, Diagnostics& diagnostic
                    [&](const PlacedSegment& a, const PlacedSegment& b) { return key(a) < key(b); });
   for (std::size_t i = 1; i < placed.size(); ++i) {
     if (key(placed[i - 1]) != key(placed[i])) continue;
-    diagnostics.warning(placed[i].at, "duplicate of line " + std::to_string(placed[i - 1].at.line));
+    diagnostics.warning(placed[i].at,
+                        "duplicate of line " + std::to_string(placed[i - 1].at.line) + ": remove one of the two");
   }
 }
 
@@ -384,7 +385,7 @@ void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber>
   const FinePoint b = finePoint(numbers[2], numbers[3]);
   const auto segment = area_->clip(a, b);
   if (!segment) {
-    diagnostics_.error(at, "the line is outside its face");
+    diagnostics_.error(at, "the line is outside its face: move or remove it");
     return;
   }
   warnOfShape(at, a, b, *segment);
@@ -399,10 +400,10 @@ void LevelReader::warnOfShape(TextPosition at, FinePoint a, FinePoint b, const S
   if (isPoint(a, b)) {
     diagnostics_.warning(at, "the line has no length: it blocks as a point");
   } else if (isTouch(a, b, segment)) {
-    diagnostics_.warning(at, "the line only touches its face");
+    diagnostics_.warning(at, "the line only touches its face: move it inside, or remove it");
   }
   if (std::any_of(posts_.begin(), posts_.end(), [&](const Post& post) { return insidePost(post, segment); })) {
-    diagnostics_.warning(at, "the line has no effect: it is in a corner of its face, which blocks already");
+    diagnostics_.warning(at, "the line has no effect: it is in a corner of its face, which blocks already; remove it");
   }
 }
 
@@ -424,7 +425,7 @@ void LevelReader::addElement(const LevelLine& line, const Segment& segment) {
 
 void LevelReader::checkInside(std::optional<LevelPlace>& place, std::string_view what) {
   if (!place || !area_ || area_->contains(place->point)) return;
-  diagnostics_.error(place->at, std::string(what) + " is outside its face");
+  diagnostics_.error(place->at, std::string(what) + " is outside its face: move it inside");
   place.reset();
 }
 

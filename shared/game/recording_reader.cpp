@@ -65,7 +65,7 @@ void RecordingReader::readHead() {
   if (!hasBytes(kFixed + textBytes + kHashBytes)) return;
   const auto head = bytes_.first(kFixed + textBytes);
   if (readHash(bytes_.subspan(head.size())) != hashOf(head)) {
-    return setDamaged(0, "the checksum of the head is wrong");
+    return setDamaged(0, "the checksum of the header is wrong");
   }
   rules_ = rules;
   levelText_ = head.subspan(kFixed);
@@ -142,7 +142,7 @@ bool RecordingReader::hasBytes(std::uint64_t count) {
   state_ = State::kTruncated;
   fault_ = "byte " + std::to_string(bytes_.size()) + ": the recording is truncated ";
   if (!level_) {
-    fault_ += "within the head";
+    fault_ += "within the header";
   } else if (offset_ == bytes_.size()) {
     fault_ += "before the block that marks its end";
   } else {

@@ -137,8 +137,8 @@ TEST(ProgramCommands, AnUnknownOneIsNamed) {
       return std::string(error.what());
     }
   };
-  EXPECT_EQ(refusalOf("drew"), "'drew' is no command (see tool --help)");
-  EXPECT_EQ(refusalOf("--drew"), "'--drew' is no option (see tool --help)");
+  EXPECT_EQ(refusalOf("drew"), "'drew' is not a command (see tool --help)");
+  EXPECT_EQ(refusalOf("--drew"), "'--drew' is not an option (see tool --help)");
 }
 
 TEST_F(ProgramOptionsTest, AnOptionMayTakeSeveralTexts) {

@@ -227,9 +227,10 @@ TEST_F(ListedServersTest, SaysWhyAListIsNotRead) {
   const WebServer web([](std::string_view) { return WebServer::ok("<html>"); });
   ListedServers servers(web.url("/list"));
   follow(servers, [&] { return !servers.reading(); });
-  EXPECT_THAT(servers.faults(), ElementsAre("cannot read the list of servers at " + web.url("/list") +
-                                            ": it is no list of servers: JSON of at most 512 KiB with the key "
-                                            "\"platonServers\""));
+  EXPECT_THAT(servers.faults(),
+              ElementsAre("cannot read the list of servers at " + web.url("/list") +
+                          ": it is not a list of servers, which is JSON of at most 512 KiB with the key "
+                          "\"platonServers\""));
   ListedServers gone("http://127.0.0.1:1/");
   follow(gone, [&] { return !gone.reading(); });
   EXPECT_THAT(gone.faults(), ElementsAre(HasSubstr("cannot read the list of servers at http://127.0.0.1:1/: ")));

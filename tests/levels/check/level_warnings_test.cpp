@@ -29,10 +29,9 @@ TEST(LevelWarningsTest, AStartWithoutGroundIsNamed) {
 TEST(LevelWarningsTest, AFallIntoTheGoalIsFine) { EXPECT_EQ(warnings("", "0 0 -220"), std::vector<std::string>()); }
 
 TEST(LevelWarningsTest, AGoalAtAWallIsNamed) {
-  EXPECT_EQ(
-      warnings("-240 -200 240 -200", "0 100 -184.2"),
-      std::vector<std::string>{"3:3: the goal's disc, of radius 16, is at the line of text line 6: move it away, or "
-                               "it may be touched through the line"});
+  EXPECT_EQ(warnings("-240 -200 240 -200", "0 100 -184.2"),
+            std::vector<std::string>{"3:3: the goal's disc, of radius 16, is too close to line 6: move it away, or "
+                                     "players may touch it through the line"});
   EXPECT_EQ(warnings("-240 -200 240 -200", "0 100 -183"), std::vector<std::string>());
   EXPECT_EQ(warnings("-240 -200 240 -200\n90 -170 110 -170 key 1", "0 100 -170"), std::vector<std::string>())
       << "a key does not block";

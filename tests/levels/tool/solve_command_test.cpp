@@ -67,7 +67,7 @@ TEST_F(SolveCommandTest, TellsAboutARecordedWay) {
   EXPECT_TRUE(run("crossing.level --recorded way.recording --json").output.ends_with(",\"difficulty\":1}\n"));
   const ProcessResult other = run("closed.level --recorded way.recording");
   EXPECT_EQ(other.exitCode, 1);
-  EXPECT_NE(other.errors.find("is no way to the goal of 'closed.level' as it is now"), std::string::npos);
+  EXPECT_NE(other.errors.find("does not lead to the goal of 'closed.level' as it is now"), std::string::npos);
   EXPECT_EQ(run("crossing.level --recorded missing.recording").exitCode, 2);
   EXPECT_EQ(run("crossing.level --recorded way.recording --without-crossing 1").exitCode, 2);
   EXPECT_EQ(run("crossing.level --recorded closed.level").exitCode, 3);
@@ -132,7 +132,7 @@ TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
   EXPECT_EQ(run("invalid.level").exitCode, 3);
   EXPECT_EQ(run("crossing.level --without-crossing -1").exitCode, 2);
   EXPECT_EQ(run("crossing.level --without door 1").errors,
-            "platon-level: --without: 'door 1' is no key K or plate K with K from 0 to 31, and no checkpoint (see "
+            "platon-level: --without must be key K or plate K with K from 0 to 31, or checkpoint, not 'door 1' (see "
             "platon-level --help)\n");
   EXPECT_EQ(run("crossing.level --without key").exitCode, 2);
   EXPECT_EQ(run("").errors, "platon-level: solve: FILE is missing (see platon-level --help)\n");

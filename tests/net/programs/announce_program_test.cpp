@@ -132,7 +132,7 @@ TEST_F(AnnounceProgramTest, WhatIsLeftOutOfAListIsToldWithExitCode1) {
   const ProcessResult some = listOfSome();
   EXPECT_EQ(some.exitCode, 1);
   EXPECT_THAT(some.output, StartsWith(address_ + " "));
-  EXPECT_EQ(some.errors, "platon-client: server 1 of the list: \"name\" must be a text\n");
+  EXPECT_EQ(some.errors, "platon-client: server 1 of the list: \"name\" must be a string\n");
 }
 
 TEST_F(AnnounceProgramTest, ALockThatAnotherProgramKeepsHoldsUpNoTick) {

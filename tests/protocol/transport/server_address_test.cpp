@@ -37,7 +37,7 @@ TEST(ServerAddress, AZoneIsRefusedWithARemedy) {
     } catch (const std::invalid_argument& error) {
       EXPECT_EQ(error.what(), "'" + text +
                                   "' is not a server address: an IPv6 address with a zone ('%') is not supported; use "
-                                  "the server's name or another address of it");
+                                  "the server's name or another of its addresses");
     }
   }
 }

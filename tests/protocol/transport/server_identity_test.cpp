@@ -162,7 +162,7 @@ TEST(SecretFile, OnlyAKeyThatOthersMayOpenIsWarnedOf) {
   for (const mode_t mode : {0644U, 0640U, 0604U, 0660U}) {
     ASSERT_EQ(chmod(path.c_str(), mode), 0);
     EXPECT_EQ(keyFileWarning(path),
-              "others may open the file, and who has the key can pose as the server; run chmod 600 " + path);
+              "others may open the file, and anyone who has the key can pose as the server; run chmod 600 " + path);
   }
 }
 
@@ -171,7 +171,7 @@ TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
   const std::string path = folder / "key";
   writeText(path, "something else\n");
   EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
-            path + ": error: not a key of platon-server; name a file that does not exist to have one made");
+            path + ": error: not a key of platon-server; for a new key, name a file that does not exist");
   EXPECT_EQ(readText(path), "something else\n");
   const std::string nowhere = folder / "missing/key";
   EXPECT_EQ(errorOf([&] { readKeyFile(nowhere); }),

@@ -64,7 +64,7 @@ TEST(ServerListTest, NobodyListsAServerUnderAKeyThatItDoesNotHave) {
     const ServerList list = listIn(replaced(text, from, to));
     ASSERT_EQ(list.servers.size(), 1u) << to;
     EXPECT_EQ(list.servers.front().name, "Ann");
-    EXPECT_THAT(list.faults, ElementsAre(HasSubstr("server 2 of the list: the signature is not one of this key")));
+    EXPECT_THAT(list.faults, ElementsAre(HasSubstr("server 2 of the list: the signature does not match the entry")));
   }
   const ListedServer first = server(1, "a.example:1", "Ann");
   const ListedServer second = server(2, "b.example:1", "Bob");
@@ -75,13 +75,13 @@ TEST(ServerListTest, NobodyListsAServerUnderAKeyThatItDoesNotHave) {
 
 TEST(ServerListTest, LeavesOutWhatIsDamagedAndSaysWhy) {
   const std::string good = serverListText({server(1, "a.example:1")});
-  for (const auto& [from, to, fault] :
-       std::vector<std::array<std::string, 3>>{{"\"name\": \"Example\"", "\"name\": 3", "\"name\" must be a text"},
-                                               {"\"name\"", "\"title\"", "\"name\" must be a text"},
-                                               {"a.example:1", "a.example:70000", "\"address\" must be HOST:PORT"},
-                                               {"a.example:1", "", "\"address\" must be HOST:PORT"},
-                                               {"Example", "Ex\\nample", "\"name\" is not one of a server"},
-                                               {"\"key\": \"", "\"key\": \"x", "\"key\" is not one of a server"}}) {
+  for (const auto& [from, to, fault] : std::vector<std::array<std::string, 3>>{
+           {"\"name\": \"Example\"", "\"name\": 3", "\"name\" must be a string"},
+           {"\"name\"", "\"title\"", "\"name\" must be a string"},
+           {"a.example:1", "a.example:70000", "\"address\" must be HOST:PORT"},
+           {"a.example:1", "", "\"address\" must be HOST:PORT"},
+           {"Example", "Ex\\nample", "\"name\" must be a text of at most 32 bytes without control characters"},
+           {"\"key\": \"", "\"key\": \"x", "\"key\" is not the key of a server"}}) {
     const ServerList list = listIn(replaced(good, from, to));
     EXPECT_THAT(list.servers, IsEmpty());
     EXPECT_THAT(list.faults, ElementsAre(HasSubstr("server 1 of the list: " + fault)));
@@ -92,7 +92,7 @@ TEST(ServerListTest, LeavesOutWhatIsDamagedAndSaysWhy) {
 TEST(ServerListTest, TwoServersAtOneAddressAreOneTooMany) {
   const ServerList list = listIn(serverListText({server(1, "a.example:1"), server(2, "a.example:1")}));
   EXPECT_THAT(list.servers, ElementsAre(server(1, "a.example:1")));
-  EXPECT_THAT(list.faults, ElementsAre("server 2 of the list: another entry has this address; leave one out"));
+  EXPECT_THAT(list.faults, ElementsAre("server 2 of the list: another entry has this address; remove one of the two"));
 }
 
 TEST(ServerListTest, RefusesWhatIsNoList) {
@@ -104,7 +104,7 @@ TEST(ServerListTest, RefusesWhatIsNoList) {
   }
   std::string many = "{\"platonServers\": [0";
   for (std::size_t i = 0; i < kMaxListedServers; ++i) many += ",0";
-  EXPECT_EQ(std::get<ParseError>(readServerList(many + "]}")).what, "it has more than 1000 servers");
+  EXPECT_EQ(std::get<ParseError>(readServerList(many + "]}")).what, "it has more than 1000 servers; remove some");
 }
 
 TEST(ServerListTest, SkipsKeysOfLaterVersions) {
@@ -123,7 +123,7 @@ std::string nested(std::size_t depth, const std::string& opening, const std::str
 
 // Copying or destroying a value of this depth would overflow the stack.
 TEST(ServerListTest, AListThatIsNestedTooDeeplyIsRefused) {
-  constexpr const char* kFault = "it has more than 8 arrays and objects in each other; take them out";
+  constexpr const char* kFault = "its arrays and objects are nested more than 8 deep; take these out";
   for (const auto& [opening, closing] : {std::pair("[", "]"), std::pair("{\"a\":", "}"), std::pair("[{\"\":", "}]")}) {
     for (const std::size_t depth : {9u, 1000u, 40'000u}) {
       const std::string value = nested(depth, opening, closing);

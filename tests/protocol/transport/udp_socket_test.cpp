@@ -39,7 +39,7 @@ TEST(UdpSocket, SaysWhyItCannotListen) {
             "cannot listen on 127.0.0.1:" + std::to_string(port) +
                 ": Address already in use; stop the program that uses it or choose another port after --port");
   EXPECT_TRUE(errorOf("2001:db8::1", 7777).starts_with("cannot listen on [2001:db8::1]:7777: "));
-  EXPECT_EQ(errorOf("here", 0), "cannot listen on 'here': not an IP address, such as 127.0.0.1 or ::");
+  EXPECT_EQ(errorOf("here", 0), "cannot listen on 'here': it is not an IP address; name one such as 127.0.0.1 or ::");
   EXPECT_NE(errorOf("192.0.2.1", 0).find("choose an address of this machine after --bind, or :: for all"),
             std::string::npos);
 }

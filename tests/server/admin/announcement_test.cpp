@@ -159,12 +159,13 @@ TEST_F(AnnouncementTest, AStuckLockDelaysNobodyAndIsTriedAgain) {
 
 TEST_F(AnnouncementTest, RefusesAFileThatIsSomethingElse) {
   writeText(file_, "my notes");
-  EXPECT_EQ(refusal(),
-            "cannot announce the server in '" + file_ +
-                "': it is no list of servers: JSON of at most 512 KiB with the key \"platonServers\"; correct "
-                "the file or name another one after --announce");
+  EXPECT_EQ(
+      refusal(),
+      "cannot announce the server in '" + file_ +
+          "': it is not a list of servers, which is JSON of at most 512 KiB with the key \"platonServers\"; correct "
+          "the file or name another one after --announce");
   writeText(file_, "{\"platonServers\": [{}]}");
-  EXPECT_THAT(refusal(), HasSubstr("server 1 of the list: \"address\" must be a text"));
+  EXPECT_THAT(refusal(), HasSubstr("server 1 of the list: \"address\" must be a string"));
   EXPECT_EQ(readText(file_), "{\"platonServers\": [{}]}");
 }
 
@@ -172,8 +173,8 @@ TEST_F(AnnouncementTest, AFileThatIsDamagedMeanwhileStaysAsItIs) {
   Announcement ann = announcement(first_, "a.example:1");
   EXPECT_EQ(enter(ann, "Ann"), "");
   writeText(file_, "damaged");
-  EXPECT_THAT(enter(ann, "Ann"), HasSubstr("no list of servers"));
-  EXPECT_THAT(leave(ann), HasSubstr("no list of servers"));
+  EXPECT_THAT(enter(ann, "Ann"), HasSubstr("not a list of servers"));
+  EXPECT_THAT(leave(ann), HasSubstr("not a list of servers"));
   EXPECT_EQ(readText(file_), "damaged");
 }
 

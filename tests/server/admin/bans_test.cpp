@@ -80,7 +80,8 @@ TEST(AddressRange, EveryRangeAroundAnAddressHoldsItAndHasAText) {
 }
 
 TEST(AddressRange, SaysWhatIsWrong) {
-  const std::string noAddress = " is not an address or a range of addresses, such as 192.0.2.7 or 2001:db8::/32";
+  const std::string noAddress =
+      " is not an address or a range of addresses; write one such as 192.0.2.7 or 2001:db8::/32";
   EXPECT_EQ(errorOf("Ann"), "'Ann'" + noAddress);
   EXPECT_EQ(errorOf(""), "''" + noAddress);
   EXPECT_EQ(errorOf("192.0.2"), "'192.0.2'" + noAddress);
@@ -92,9 +93,9 @@ TEST(AddressRange, SaysWhatIsWrong) {
   for (const char* text : {"192.0.2.0/", "192.0.2.0/-1", "192.0.2.0/+8", "192.0.2.0/8x", "192.0.2.0/8/8"}) {
     EXPECT_TRUE(errorOf(text).ends_with(" must be 0 to 32")) << text;
   }
-  EXPECT_EQ(errorOf("192.0.2.7/24"), "'192.0.2.7/24' has bits after its first 24: write 192.0.2.0/24");
-  EXPECT_EQ(errorOf("2001:db8::1/32"), "'2001:db8::1/32' has bits after its first 32: write 2001:db8::/32");
-  EXPECT_EQ(errorOf("::ffff:0:0/80"), "'::ffff:0:0/80' has bits after its first 80: write ::/80");
+  EXPECT_EQ(errorOf("192.0.2.7/24"), "'192.0.2.7/24' has bits set after its first 24: write 192.0.2.0/24");
+  EXPECT_EQ(errorOf("2001:db8::1/32"), "'2001:db8::1/32' has bits set after its first 32: write 2001:db8::/32");
+  EXPECT_EQ(errorOf("::ffff:0:0/80"), "'::ffff:0:0/80' has bits set after its first 80: write ::/80");
 }
 
 using namespace std::chrono_literals;
@@ -236,12 +237,13 @@ TEST(BanList, AnEmptiedListEqualsAnEmptyOne) {
 
 TEST(BanList, ErrorsHaveALineAndAColumn) {
   using Lines = std::vector<std::string>;
-  const std::string time = "after 'until' must stand a time in UTC, such as 2026-12-01 or 2026-12-01T18:00:00Z";
+  const std::string time = "'until' must be followed by a time in UTC, such as 2026-12-01 or 2026-12-01T18:00:00Z";
   const std::string reason =
-      "the reason must have at most 100 bytes of text, without control characters and #, and must not begin with "
+      "the reason must have at most 100 bytes of text, without control characters or #, and must not begin with "
       "'until'";
-  EXPECT_EQ(errorsOf("192.0.2.7\n  Ann\n"),
-            Lines{"2:3: 'Ann' is not an address or a range of addresses, such as 192.0.2.7 or 2001:db8::/32"});
+  EXPECT_EQ(
+      errorsOf("192.0.2.7\n  Ann\n"),
+      Lines{"2:3: 'Ann' is not an address or a range of addresses; write one such as 192.0.2.7 or 2001:db8::/32"});
   EXPECT_EQ(errorsOf("192.0.2.7 until tomorrow"), Lines{"1:17: " + time});
   EXPECT_EQ(errorsOf("192.0.2.7 until"), Lines{"1:16: " + time});
   EXPECT_EQ(errorsOf("192.0.2.7 until 2026-12-01 until later"), Lines{"1:28: " + reason});
@@ -347,8 +349,8 @@ TEST_F(BanStoreTest, ChangesNothingWhileTheFileHasAnError) {
   const auto error = store.add(banOf("192.0.2.8"), kNow);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->what, path_ +
-                             ":2:1: error: 'Ann' is not an address or a range of addresses, such as 192.0.2.7 or "
-                             "2001:db8::/32; nothing has changed: correct the file first");
+                             ":2:1: error: 'Ann' is not an address or a range of addresses; write one such as "
+                             "192.0.2.7 or 2001:db8::/32; nothing has changed: correct the file first");
   EXPECT_TRUE(store.remove(range("192.0.2.7"), kNow));
   EXPECT_EQ(store.list().size(), 1u);
   EXPECT_EQ(readText(path_), "192.0.2.7\nAnn\n");
@@ -385,9 +387,9 @@ TEST_F(BanStoreTest, ABanThatCouldNotBeWrittenIsTriedAgain) {
 TEST_F(BanStoreTest, SaysWhyThereIsNothingToRemove) {
   BanStore store = open("192.0.2.0/24\n");
   const auto refusalFor = [&](const std::string& text) { return store.remove(range(text), kNow).value().what; };
-  EXPECT_EQ(refusalFor("192.0.2.7"), "there is no ban of 192.0.2.7; it is part of 192.0.2.0/24");
-  EXPECT_EQ(refusalFor("192.0.0.0/16"), "there is no ban of 192.0.0.0/16; the command bans lists all");
-  EXPECT_EQ(refusalFor("198.51.100.1"), "there is no ban of 198.51.100.1; the command bans lists all");
+  EXPECT_EQ(refusalFor("192.0.2.7"), "there is no ban of 192.0.2.7; the ban of 192.0.2.0/24 includes it");
+  EXPECT_EQ(refusalFor("192.0.0.0/16"), "there is no ban of 192.0.0.0/16; the command 'bans' lists all of them");
+  EXPECT_EQ(refusalFor("198.51.100.1"), "there is no ban of 198.51.100.1; the command 'bans' lists all of them");
 }
 
 TEST_F(BanStoreTest, AReloadTakesOverTheFile) {
@@ -406,8 +408,8 @@ TEST_F(BanStoreTest, AReloadDoesNotUndoAChangeThatWaitsToBeWritten) {
   const auto error = store.replace(old);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->what, path_ +
-                             ": error: the last change of the bans is not written to this file yet, and will replace "
-                             "what is in it; reload again when it is written");
+                             ": error: the last change of the bans has not been written to this file yet, and will "
+                             "replace what is in it; reload again when it has been written");
   EXPECT_EQ(store.list().size(), 1u);
   EXPECT_TRUE(writes(store, "192.0.2.7 x\n"));
   EXPECT_TRUE(stepUntil([&] { store.poll(kMoment); }, [&] { return store.replace(BanList()) == std::nullopt; }));

@@ -145,7 +145,7 @@ TEST_F(ConsoleSocketTest, RefusesThePathOfARunningServer) {
 
 TEST_F(ConsoleSocketTest, RefusesAPathWithAnotherKindOfFileAndKeepsIt) {
   writeText(path_, "precious");
-  EXPECT_EQ(errorOf(path_), refusal_ + "it is a file of another kind; name another path after --socket");
+  EXPECT_EQ(errorOf(path_), refusal_ + "it is not a socket; name another path after --socket");
   EXPECT_EQ(readText(path_), "precious");
 }
 
@@ -249,7 +249,7 @@ TEST_F(ConsoleServerTest, ClosesAConsoleWhoseLineIsTooLong) {
   send(console, std::string(kMaxConsoleLineBytes, 'x'));
   EXPECT_EQ(pollAndReceive(console), "");
   send(console, "xx");
-  EXPECT_EQ(pollAndReceive(console), " a command has at most 512 bytes; the console is closed\nfailed\n");
+  EXPECT_EQ(pollAndReceive(console), " the command has more than 512 bytes; the console is closed\nfailed\n");
   EXPECT_TRUE(receiveFrom(console).closed);
   EXPECT_EQ(server_.consoles(), 0u);
   EXPECT_TRUE(lines_.empty());
@@ -393,7 +393,7 @@ TEST_F(ConsoleClientTest, APersonGetsAPrompt) {
 TEST_F(ConsoleClientTest, ALineThatTheServerRefusesEndsTheConsole) {
   const RunningServer server(path_);
   EXPECT_EQ(run(std::string(1000, 'x') + "\na\n"), 1);
-  EXPECT_TRUE(talk_.str().starts_with("error: a command has at most 512 bytes; the console is closed\n"))
+  EXPECT_TRUE(talk_.str().starts_with("error: the command has more than 512 bytes; the console is closed\n"))
       << talk_.str();
 }
 
@@ -407,7 +407,8 @@ TEST_F(ConsoleClientTest, SaysThatTheServerHasEnded) {
   const RunningServer server(path_);
   EXPECT_EQ(run("end\na\n"), 1);
   EXPECT_EQ(results_.str(), "> end\n");
-  EXPECT_EQ(talk_.str(), "platon-server: the server at '" + path_ + "' has ended or does not answer\n");
+  EXPECT_EQ(talk_.str(),
+            "platon-server: the server at '" + path_ + "' has stopped or does not answer; its log may say why\n");
 }
 
 // A user of this machine other than root.
@@ -442,7 +443,7 @@ class StrangersServerTest : public ConsoleClientTest {
   std::optional<RunningServer> server_;
   const std::string refusal_ =
       "platon-server: the server at '" + path_ +
-      "' belongs to another user; name the socket of your own after --socket, or run the console as that user\n";
+      "' belongs to another user; name the socket of your own server after --socket, or run the console as that user\n";
 };
 
 // It was told that no server answers, and to start one.

@@ -34,7 +34,7 @@ std::string errorOf(const std::string& line) {
 }
 
 const std::string kPlayerMissing =
-    "name a player: its number or its name, in quotes if it contains spaces (see the command players)";
+    "name a player by number or by name, in quotes if it contains spaces (see the command 'players')";
 
 TEST(ConsoleCommand, CommandsWithoutArguments) {
   EXPECT_EQ(commandOf("status"), ConsoleCommand(StatusCommand{}));
@@ -72,7 +72,7 @@ TEST(ConsoleCommand, Ban) {
   EXPECT_EQ(commandOf("ban \"192.0.2.7\""), ban(PlayerWord{"192.0.2.7"}, {}, ""));  // a name in quotes
   EXPECT_EQ(commandOf("ban \"a/b:c\""), ban(PlayerWord{"a/b:c"}, {}, ""));
   EXPECT_EQ(errorOf("ban"), kPlayerMissing);
-  EXPECT_EQ(errorOf("ban 192.0.2.7/24"), "'192.0.2.7/24' has bits after its first 24: write 192.0.2.0/24");
+  EXPECT_EQ(errorOf("ban 192.0.2.7/24"), "'192.0.2.7/24' has bits set after its first 24: write 192.0.2.0/24");
   EXPECT_TRUE(errorOf("ban 999.1.1.1").starts_with("'999.1.1.1' is not an address")) << "it was taken for a name";
   EXPECT_TRUE(errorOf("ban 192.0.2.x/24").ends_with("such as 192.0.2.7 or 2001:db8::/32"));
   EXPECT_TRUE(errorOf("ban 3 until tomorrow").starts_with("the reason must"));
@@ -82,7 +82,7 @@ TEST(ConsoleCommand, Ban) {
 TEST(ConsoleCommand, Unban) {
   EXPECT_EQ(commandOf("unban 192.0.2.0/24"), ConsoleCommand(UnbanCommand{range("192.0.2.0/24")}));
   EXPECT_TRUE(errorOf("unban").starts_with("'' is not an address"));
-  EXPECT_EQ(errorOf("unban 192.0.2.7 192.0.2.8"), "name one address or range (see the command bans)");
+  EXPECT_EQ(errorOf("unban 192.0.2.7 192.0.2.8"), "name one address or range (see the command 'bans')");
 }
 
 TEST(ConsoleCommand, MuteAndUnmute) {
@@ -94,7 +94,7 @@ TEST(ConsoleCommand, MuteAndUnmute) {
 
 TEST(ConsoleCommand, SayTakesTheRestOfTheLineAsItIs) {
   EXPECT_EQ(commandOf("say  \"hi\"  # all, 2h "), ConsoleCommand(SayCommand{"\"hi\"  # all, 2h"}));
-  const std::string refusal = "the text must have 1 to 200 bytes that can be seen";
+  const std::string refusal = "the text must have at most 200 bytes, and something that can be seen";
   EXPECT_EQ(errorOf("say"), refusal);
   EXPECT_EQ(errorOf("say \xe2\x80\x8b"), refusal);  // a space of no width
   EXPECT_EQ(errorOf("say " + std::string(kMaxReasonBytes, 'x')), "none");
@@ -106,10 +106,11 @@ TEST(ConsoleCommand, DrainTakesALimitAndAServer) {
   EXPECT_EQ(commandOf("drain 1"), ConsoleCommand(DrainCommand{1s, ""}));
   EXPECT_EQ(commandOf("drain 86400 192.0.2.7:7777"), ConsoleCommand(DrainCommand{24h, "192.0.2.7:7777"}));
   EXPECT_EQ(commandOf("drain play.example.org"), ConsoleCommand(DrainCommand{{}, "play.example.org"}));
-  const std::string range = "the limit is a number of seconds from 1 to 86400; stop ends the server at once";
+  const std::string range = "the limit must be a number of seconds from 1 to 86400; 'stop' stops the server at once";
   for (const char* line : {"drain 0", "drain 86401", "drain 99999999999999999999"})
     EXPECT_EQ(errorOf(line), range) << line;
-  const std::string usage = "name a number of seconds, then perhaps one server, such as 600 play.example.org:7777";
+  const std::string usage =
+      "name a number of seconds, a server, or both in this order, such as 600 play.example.org:7777";
   for (const char* line : {"drain 1 a b", "drain 1.5.0:x", "drain host:0", "drain 1 host:x", "drain 1 ho/st"})
     EXPECT_EQ(errorOf(line), usage) << line;
   EXPECT_EQ(errorOf("drain " + std::string(kMaxNextServerBytes, 'x')), "none");
@@ -117,10 +118,10 @@ TEST(ConsoleCommand, DrainTakesALimitAndAServer) {
 }
 
 TEST(ConsoleCommand, RefusesAnUnknownName) {
-  EXPECT_EQ(errorOf("shutdown"), "'shutdown' is no command: help lists all");
-  EXPECT_EQ(errorOf("STOP"), "'STOP' is no command: help lists all");
-  EXPECT_EQ(errorOf(""), "'' is no command: help lists all");
-  EXPECT_EQ(errorOf("stop;"), "'stop;' is no command: help lists all");
+  EXPECT_EQ(errorOf("shutdown"), "'shutdown' is not a command: 'help' lists all commands");
+  EXPECT_EQ(errorOf("STOP"), "'STOP' is not a command: 'help' lists all commands");
+  EXPECT_EQ(errorOf(""), "'' is not a command: 'help' lists all commands");
+  EXPECT_EQ(errorOf("stop;"), "'stop;' is not a command: 'help' lists all commands");
 }
 
 TEST(ConsoleCommand, RefusesALineThatIsNoText) {
@@ -140,7 +141,7 @@ TEST(ConsoleCommand, TheHelpListsEveryCommandOnce) {
   for (const ConsoleCommandHelp& one : consoleCommands()) {
     names.emplace_back(one.name);
     EXPECT_FALSE(one.meaning.empty());
-    EXPECT_EQ(errorOf(names.back()).find("is no command"), std::string::npos) << one.name;
+    EXPECT_EQ(errorOf(names.back()).find("is not a command"), std::string::npos) << one.name;
   }
   EXPECT_EQ(names, (std::vector<std::string>{"status", "players", "kick", "ban", "unban", "bans", "mute", "unmute",
                                              "say", "next", "reload", "drain", "stop", "help"}));
@@ -322,8 +323,8 @@ TEST_F(ConsoleTest, KickRemovesAPlayerByNumberOrName) {
   EXPECT_EQ(byes(), std::vector<std::string>{"you were removed by the operator of the server: too loud"});
   EXPECT_EQ(text("kick \"Ann B\""), "removed player 4 (Ann B)");
   EXPECT_EQ(match_.players(), 1u);
-  EXPECT_EQ(error("kick P3"), "there is no player 'P3': the command players lists all");
-  EXPECT_EQ(error("kick 0"), "there is no player '0': the command players lists all");
+  EXPECT_EQ(error("kick P3"), "there is no player 'P3': the command 'players' lists all of them");
+  EXPECT_EQ(error("kick 0"), "there is no player '0': the command 'players' lists all of them");
 }
 
 TEST_F(ConsoleTest, TheLongestReasonFits) {
@@ -338,7 +339,7 @@ TEST_F(ConsoleTest, ANumberNeverMeansAName) {
   join(1, "2");
   join(2, "Ann");
   EXPECT_EQ(text("kick 2"), "removed player 2 (Ann)");
-  EXPECT_EQ(error("kick 2"), "there is no player '2': the command players lists all");
+  EXPECT_EQ(error("kick 2"), "there is no player '2': the command 'players' lists all of them");
 }
 
 TEST_F(ConsoleTest, BanRemovesThePlayerAndItsHousehold) {
@@ -369,12 +370,12 @@ TEST_F(ConsoleTest, BanOfARange) {
       text("ban 2001:db8::/32 7d").starts_with("banned 2001:db8::/32 until 2026-11-29T12:00:00Z\nremoved 0 players"));
   EXPECT_EQ(text("bans"), "192.0.2.0/24\n2001:db8::/32 until 2026-11-29T12:00:00Z");
   EXPECT_EQ(text("unban 192.0.2.0/24"), "192.0.2.0/24 may join again");
-  EXPECT_EQ(error("unban 192.0.2.0/24"), "there is no ban of 192.0.2.0/24; the command bans lists all");
+  EXPECT_EQ(error("unban 192.0.2.0/24"), "there is no ban of 192.0.2.0/24; the command 'bans' lists all of them");
 }
 
 TEST_F(ConsoleTest, APlayerOfThisMachineCannotBeBanned) {
   join(1, "Ann");
-  EXPECT_EQ(error("ban 1"), "player 1 (Ann) plays on this machine, which cannot be banned: use kick");
+  EXPECT_EQ(error("ban 1"), "player 1 (Ann) plays on this machine, which cannot be banned: use 'kick'");
   EXPECT_EQ(match_.players(), 1u);
 }
 
@@ -398,7 +399,7 @@ TEST_F(ConsoleTest, MuteAndUnmute) {
   EXPECT_TRUE(match_.playerStatus().at(0).muted);
   EXPECT_EQ(text("unmute Ann"), "player 1 (Ann) is shown as \"Ann\"");
   EXPECT_FALSE(match_.playerStatus().at(0).muted);
-  EXPECT_EQ(error("mute Ben"), "there is no player 'Ben': the command players lists all");
+  EXPECT_EQ(error("mute Ben"), "there is no player 'Ben': the command 'players' lists all of them");
 }
 
 TEST_F(ConsoleTest, SaySendsTheTextToThePlayers) {
@@ -447,7 +448,9 @@ TEST_F(ConsoleTest, LogsTheCommandsThatHaveChangedSomething) {
   EXPECT_EQ(log_, (std::vector<std::string>{"mute 1", "next"}));
 }
 
-TEST_F(ConsoleTest, AnErrorOfTheLineIsTheReply) { EXPECT_EQ(error("bogus"), "'bogus' is no command: help lists all"); }
+TEST_F(ConsoleTest, AnErrorOfTheLineIsTheReply) {
+  EXPECT_EQ(error("bogus"), "'bogus' is not a command: 'help' lists all commands");
+}
 
 }  // namespace
 }  // namespace platon::console_test

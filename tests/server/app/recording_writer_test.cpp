@@ -188,7 +188,7 @@ TEST_F(RecordingFolderTest, ARecordingThatIsLargerThanTheLimitIsStopped) {
   const auto events = write(folder, {1, "", 60, false, bytes(51)});
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0].kind, Kind::kStopped);
-  EXPECT_EQ(events[0].reason, "the limit of 300 bytes for recordings is reached");
+  EXPECT_EQ(events[0].reason, "the limit of 300 bytes for recordings is reached; raise --record-limit");
   EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001.recording"}));
   const auto next = write(folder, {2, "", 60, true, bytes(60)});
   ASSERT_EQ(next.size(), 2u);

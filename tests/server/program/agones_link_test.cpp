@@ -52,7 +52,7 @@ TEST_F(AgonesLinkTest, ASidecarThatWasNotToldTheEndIsLogged) {
   sidecar_.vanish();
   link.start(log_);
   link.finish(log_);
-  EXPECT_EQ(lines_.back(), "agones was not told the end");
+  EXPECT_EQ(lines_.back(), "agones was not told that the server stops");
 }
 
 }  // namespace

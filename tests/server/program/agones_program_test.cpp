@@ -168,7 +168,7 @@ TEST_F(AgonesProgramTest, ASidecarThatRefusesOrIsSilentHoldsUpNoTick) {
     EXPECT_EQ(ann_->fake().desyncs(), 0u);
     server().signal(SIGTERM);
     EXPECT_EQ(server().wait(), 0);
-    EXPECT_NE(server().errors().find("\nagones was not told the end\n"), std::string::npos);
+    EXPECT_NE(server().errors().find("\nagones was not told that the server stops\n"), std::string::npos);
   }
 }
 

@@ -105,10 +105,12 @@ TEST_F(ConfigCheckTest, WarnsOfAKeyThatOthersMayOpen) {
   ASSERT_EQ(chmod(at("key").c_str(), 0644), 0);
   const ConfigCheck check = this->check("port = 0\nkey-file = \"key\"\n");
   EXPECT_EQ(check.exitCode, 0);
-  EXPECT_EQ(check.errors, std::vector<std::string>{at("key") +
-                                                   ": warning: others may open the file, and who has the key can pose "
-                                                   "as the server; run chmod 600 " +
-                                                   at("key")});
+  EXPECT_EQ(
+      check.errors,
+      std::vector<std::string>{
+          at("key") +
+          ": warning: others may open the file, and anyone who has the key can pose as the server; run chmod 600 " +
+          at("key")});
 }
 
 TEST_F(ConfigCheckTest, AMissingKeyIsNotMade) {
@@ -122,7 +124,7 @@ TEST_F(ConfigCheckTest, ReportsAKeyAndAPasswordThatTheServerWouldRefuse) {
   write("key", "not a key\n");
   write("password", "\n");
   const std::vector<std::string> both{
-      at("key") + ": error: not a key of platon-server; name a file that does not exist to have one made",
+      at("key") + ": error: not a key of platon-server; for a new key, name a file that does not exist",
       at("password") + ": error: the first line is empty; write the password there"};
   const ConfigCheck check = this->check("port = 0\nkey-file = \"key\"\npassword-file = \"password\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
@@ -169,7 +171,7 @@ TEST_F(ConfigCheckTest, WarnsOfPortsInUseWhenNoServerAnswersAtTheConsole) {
                                         "\nmetrics = \"" + metrics.address().text() + "\"\nsocket = \"console\"\n");
   EXPECT_EQ(check.exitCode, 0);
   const std::string remedy = ": Address already in use; stop the program that uses it or choose another port after --";
-  const std::string note = "; all is well if it is this server, which was started with another --socket";
+  const std::string note = "; ignore this if that program is this server, started with another --socket";
   EXPECT_EQ(check.errors,
             (std::vector<std::string>{
                 "warning: cannot listen on " + used.address().text() + remedy + "port" + note,

@@ -284,7 +284,8 @@ TEST_F(ConfigFileTest, AFileThatCannotBeReadIsNamed) {
       std::vector<std::string>{"/no/such/file: error: No such file or directory; name a readable file after --config"});
   writeText(file_, std::string(1024 * 1024 + 1, '\n'));
   EXPECT_EQ(readConfigFile(file_, options),
-            std::vector<std::string>{file_ + ": error: the file has more than 1048576 bytes"});
+            std::vector<std::string>{
+                file_ + ": error: the file has more than 1048576 bytes; name a configuration file after --config"});
 }
 
 TEST_F(ConfigFileTest, WhatIsNoRegularFileIsRefused) {
@@ -307,7 +308,7 @@ std::string keyOf(std::size_t parts, const std::string& part = "a") {
 }
 
 constexpr const char* kTooManyParts = " error: more than 8 parts are joined by dots; a key has one part";
-constexpr const char* kTooDeep = " error: more than 8 lists and tables are in each other; a value is at most a list";
+constexpr const char* kTooDeep = " error: lists and tables are nested more than 8 deep; a value is at most a list";
 
 // The parser makes a table in a table for each part, and a running server that reads the file again would end when it
 // destroys them.

@@ -124,7 +124,7 @@ TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
   ends({level_, "--port", "0", "--ban-file", "/no/such/bans"}, 2,
        "platon-server: /no/such/bans: error: No such file or directory; name a readable ban file");
   ends({level_, "--port", "0", "--socket", level_}, 2,
-       "platon-server: cannot open the console at '" + level_ + "': it is a file of another kind; name another path");
+       "platon-server: cannot open the console at '" + level_ + "': it is not a socket; name another path");
   write("CUBE\n");
   ends({level_}, 3, level_ + ":1:1: error: ");
 }
@@ -197,7 +197,7 @@ TEST_F(ToolsTest, AFailedCommandGivesExitCode1) {
   start();
   const ProcessResult result = console("kick 9\nstatus\n");
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_EQ(result.errors, "error: there is no player '9': the command players lists all\n");
+  EXPECT_EQ(result.errors, "error: there is no player '9': the command 'players' lists all of them\n");
   EXPECT_TRUE(result.output.starts_with("server: Platon\naddress: 127.0.0.1:" + std::to_string(port_) + "\n"));
 }
 
@@ -213,7 +213,7 @@ TEST_F(ToolsTest, TheConsoleStopsTheServer) {
 
 TEST_F(ToolsTest, TheConsoleDrainsTheServer) {
   start();
-  EXPECT_EQ(console("drain\n").errors, "error: name the longest time in seconds, such as drain 600\n");
+  EXPECT_EQ(console("drain\n").errors, "error: name the longest time in seconds, as in 'drain 600'\n");
   EXPECT_EQ(console("drain 5 127.0.0.1:7777\n").output, "the server stops after this round, at the latest in 5 s\n");
   server_->waitForError("draining seconds=5 next=\"127.0.0.1:7777\"");
   EXPECT_EQ(server_->wait(), 0);
@@ -302,8 +302,7 @@ TEST_F(UnwrittenBanTest, BansThatAreLostAtTheStopExitWith1) {
     EXPECT_EQ(server_->wait(), 1);
     EXPECT_TRUE(server_->errors().ends_with("\nbans lost file=\"" + bans_ +
                                             "\" reason=\"File name too long; make room on the disk, let the server "
-                                            "write to the folder of the file, and enter again what is missing in "
-                                            "it\"\n"))
+                                            "write to the folder of the file, and add what is missing from it\"\n"))
         << server_->errors();
   }
 }
@@ -327,7 +326,8 @@ TEST_F(UnwrittenBanTest, AReloadIsRefused) {
   writeText(file_, "192.0.2.8\n");
   const ProcessResult reload = console("reload\n");
   EXPECT_EQ(reload.exitCode, 1);
-  EXPECT_TRUE(reload.errors.starts_with("error: " + bans_ + ": error: the last change of the bans is not written"))
+  EXPECT_TRUE(
+      reload.errors.starts_with("error: " + bans_ + ": error: the last change of the bans has not been written"))
       << reload.errors;
   EXPECT_EQ(console("bans\n").output, "192.0.2.7\n");
 }

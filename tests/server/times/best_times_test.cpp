@@ -154,32 +154,32 @@ TEST(BestTimes, EachErrorHasItsPlaceAndRemedy) {
   const std::string remedy = "; correct or remove the line";
   const std::pair<std::string, std::string> cases[] = {
       {"0123456789ABCDEF 6 743 2026-12-01T18:00:00Z Ann",
-       "1:1: a line begins with the hash of a level, 16 digits 0 to 9 and a to f"},
+       "1:1: a line must begin with the hash of a level, 16 digits 0 to 9 and a to f"},
       {"123456789abcdef 6 743 2026-12-01T18:00:00Z Ann",
-       "1:1: a line begins with the hash of a level, 16 digits 0 to 9 and a to f"},
+       "1:1: a line must begin with the hash of a level, 16 digits 0 to 9 and a to f"},
       {"0123456789abcdef 06 743 2026-12-01T18:00:00Z Ann",
-       "1:18: after the hash must stand the version of the rules, a whole number"},
+       "1:18: the hash must be followed by the version of the rules, a whole number"},
       {"0123456789abcdef -6 743 2026-12-01T18:00:00Z Ann",
-       "1:18: after the hash must stand the version of the rules, a whole number"},
+       "1:18: the hash must be followed by the version of the rules, a whole number"},
       {"0123456789abcdef 6 0 2026-12-01T18:00:00Z Ann",
-       "1:20: after the rules must stand the ticks to the goal, 1 to 5184000"},
+       "1:20: the version must be followed by the ticks to the goal, 1 to 5184000"},
       {"0123456789abcdef " + std::to_string(kRulesVersion) + " 5184001 2026-12-01T18:00:00Z Ann",
-       "1:20: after the rules must stand the ticks to the goal, 1 to 5184000"},
+       "1:20: the version must be followed by the ticks to the goal, 1 to 5184000"},
       {"0123456789abcdef 6 4294967296 2026-12-01T18:00:00Z Ann",
-       "1:20: after the rules must stand the ticks to the goal, 1 to 5184000"},
+       "1:20: the version must be followed by the ticks to the goal, 1 to 5184000"},
       {"0123456789abcdef 6 743 2026-12-01 Ann",
-       "1:24: after the ticks must stand the date in UTC, such as 2026-12-01T18:00:00Z"},
+       "1:24: the ticks must be followed by the date in UTC, such as 2026-12-01T18:00:00Z"},
       {"0123456789abcdef 6 743 2026-12-01T18:00:00Z",
-       "1:44: at the end must stand the name of the player, 1 to 32 visible bytes"},
+       "1:44: the date must be followed by the name of the player, at most 32 bytes of text"},
       {"0123456789abcdef 6 743 2026-12-01T18:00:00Z a\x01",
-       "1:45: at the end must stand the name of the player, 1 to 32 visible bytes"},
+       "1:45: the date must be followed by the name of the player, at most 32 bytes of text"},
       {"0123456789abcdef 6 743 2026-12-01T18:00:00Z \u200b",
-       "1:45: at the end must stand the name of the player, 1 to 32 visible bytes"},
+       "1:45: the date must be followed by the name of the player, at most 32 bytes of text"},
       {"0123456789abcdef 6 743 2026-12-01T18:00:00Z " + std::string(kMaxNameBytes + 1, 'x'),
-       "1:45: at the end must stand the name of the player, 1 to 32 visible bytes"}};
+       "1:45: the date must be followed by the name of the player, at most 32 bytes of text"}};
   for (const auto& [text, error] : cases) EXPECT_EQ(errorsOf(text), std::vector{error + remedy}) << text;
   EXPECT_EQ(errorsOf(kLine + "\n" + kLine),
-            std::vector<std::string>{"3:1: a second time of this level and these rules; remove one of them"});
+            std::vector<std::string>{"3:1: two times for this level and these rules; remove one of them"});
 }
 
 // A version that showed more of a name has written it.

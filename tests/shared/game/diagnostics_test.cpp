@@ -51,7 +51,7 @@ TEST(DiagnosticsTest, ReportsThatSomeWereDropped) {
   EXPECT_TRUE(diagnostics.hasError()) << "a dropped error is an error";
   const auto all = diagnostics.take();
   ASSERT_EQ(all.size(), Diagnostics::kMax + 1);
-  EXPECT_EQ(all.back(), (Diagnostic{7, 8, true, "too many errors; fix these first"}));
+  EXPECT_EQ(all.back(), (Diagnostic{7, 8, true, "too many errors and warnings; fix these first"}));
 }
 
 TEST(DiagnosticsTest, AnErrorTakesThePlaceOfAWarningWhenThereAreTooMany) {

@@ -32,7 +32,8 @@ const std::string kSolids = ": use TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHE
 const std::string kNotANumber = " must be a number such as -12 or 0.25, not ";
 const std::string kNotWhole = " must be a whole number such as 12, not ";
 const std::string kWords = "use oneway, up, hazard, checkpoint, key, door, plate, or no word";
-const std::string kBlockedStart = ": the start is blocked: a line or a corner overlaps the player there";
+const std::string kBlockedStart =
+    ": the start is blocked: a line or a corner overlaps the player there; move the start or the line";
 
 const std::vector<InvalidLevel> kInvalidLevels = {
     {"Empty",
@@ -89,10 +90,10 @@ const std::vector<InvalidLevel> kInvalidLevels = {
       "2:7: degrees" + kNotWhole + "'d'"}},
     {"StartOutsideItsFace",
      "TETRAHEDRON\n0 -200 -115 0\n1 0 0\n400\n" + kFaces,
-     {"2:3: the start is outside its face"}},
+     {"2:3: the start is outside its face: move it inside"}},
     {"StartFarOutside",
      "TETRAHEDRON\n0  131072 -131072 0\n1 0 0\n400\n" + kFaces,
-     {"2:4: the start is outside its face"}},
+     {"2:4: the start is outside its face: move it inside"}},
     {"StartBeyondAllCoordinates",
      "TETRAHEDRON\n0 131072.0001 -99999999999999999999 0\n1 0 0\n400\n" + kFaces,
      {"2:3: x must be between -131072 and 131072, not '131072.0001'",
@@ -112,7 +113,9 @@ const std::vector<InvalidLevel> kInvalidLevels = {
     {"GoalFaceTooLarge",
      "ICOSAHEDRON\n19 0 0 0\n20 0 0\n400\n" + kFaces + kFaces + kFaces + kFaces + kFaces,
      {"3:1: face must be between 0 and 19, not '20'"}},
-    {"GoalOutsideItsFace", "TETRAHEDRON\n0 0 0 0\n1 0 231\n400\n" + kFaces, {"3:3: the goal is outside its face"}},
+    {"GoalOutsideItsFace",
+     "TETRAHEDRON\n0 0 0 0\n1 0 231\n400\n" + kFaces,
+     {"3:3: the goal is outside its face: move it inside"}},
     {"GoalNoNumber",
      "TETRAHEDRON\n0 0 0 0\n1 1e2 0,5\n400\n" + kFaces,
      {"3:3: x" + kNotANumber + "'1e2'", "3:7: y" + kNotANumber + "'0,5'"}},
@@ -158,7 +161,7 @@ const std::vector<InvalidLevel> kInvalidLevels = {
     {"WordInCapitals", withLines("40 50 60 50 DOOR 1\n"), {"6:13: unknown word 'DOOR': " + kWords}},
     {"KeyWithoutNumber",
      withLines("40 50 60 50 key\n"),
-     {"6:16: missing number after 'key': the number of a door and its keys"}},
+     {"6:16: missing number after 'key': the number of a door and of its keys and plates"}},
     {"UpWithoutNumber",
      withLines("40 50 60 50 up\n"),
      {"6:15: missing number after 'up': the number of an edge of the face"}},
@@ -167,13 +170,13 @@ const std::vector<InvalidLevel> kInvalidLevels = {
      {"6:16: the number of an edge of the face must be a whole number between 0 and 2, not '3'"}},
     {"DoorOutOfRange",
      withLines("40 50 60 50 door 32\n"),
-     {"6:18: the number of a door and its keys must be a whole number between 0 and 31, not '32'"}},
+     {"6:18: the number of a door and of its keys and plates must be a whole number between 0 and 31, not '32'"}},
     {"PlateWithADecimal",
      withLines("40 50 60 50 plate 1.0\n"),
-     {"6:19: the number of a door and its keys must be a whole number between 0 and 31, not '1.0'"}},
+     {"6:19: the number of a door and of its keys and plates must be a whole number between 0 and 31, not '1.0'"}},
     {"NegativeKey",
      withLines("40 50 60 50 key -1\n"),
-     {"6:17: the number of a door and its keys must be a whole number between 0 and 31, not '-1'"}},
+     {"6:17: the number of a door and of its keys and plates must be a whole number between 0 and 31, not '-1'"}},
     {"NumberAfterHazard", withLines("40 50 60 50 hazard 1\n"), {"6:20: unexpected '1' after 'hazard': remove it"}},
     {"SecondNumber", withLines("40 50 60 50 door 1 2\n"), {"6:20: unexpected '2' after 'door 1': remove it"}},
     {"SecondNumberAfterNoAscii",
@@ -229,9 +232,9 @@ const std::vector<InvalidLevel> kInvalidLevels = {
     {"LineBeyondAllCoordinates",
      withLines("40 50 600000 50\n"),
      {"6:7: x1 must be between -131072 and 131072, not '600000'"}},
-    {"LineWhollyOutside", withLines("-200 200 -100 200\n"), {"6:1: the line is outside its face"}},
-    {"LineBehindACorner", withLines("  -60 232 60 232\n"), {"6:3: the line is outside its face"}},
-    {"PointOutside", withLines("300 0 300 0\n"), {"6:1: the line is outside its face"}},
+    {"LineWhollyOutside", withLines("-200 200 -100 200\n"), {"6:1: the line is outside its face: move or remove it"}},
+    {"LineBehindACorner", withLines("  -60 232 60 232\n"), {"6:3: the line is outside its face: move or remove it"}},
+    {"PointOutside", withLines("300 0 300 0\n"), {"6:1: the line is outside its face: move or remove it"}},
     {"NulByte", kHead + bytes({"%\n0\0 0 0 5\n%\n%\n%\n", 17}), {"6:2: control character 0x00" + kOnlyTabs}},
     {"EscapeInAComment", "# \x1b[2J\n" + kHead + kFaces, {"1:3: control character 0x1b" + kOnlyTabs}},
     {"FormFeed", "TETRAHEDRON\f\n0 0 0 0\n1 0 0\n400\n" + kFaces, {"1:12: control character 0x0c" + kOnlyTabs}},
@@ -340,7 +343,7 @@ TEST(LevelReaderTest, ALineIsADuplicateInEitherDirection) {
     const std::string between = "0 50 9 50\n";
     for (const std::string& second : {line, backwards}) {
       EXPECT_EQ(warningsOf(withLines(line + "\n" + between + second + "\n")),
-                std::vector<std::string>{"8: duplicate of line 6"})
+                std::vector<std::string>{"8: duplicate of line 6: remove one of the two"})
           << line << ", " << second;
     }
   }

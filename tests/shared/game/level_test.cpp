@@ -116,7 +116,8 @@ TEST(LevelTest, TheStartMayTouchALineButNotOverlapIt) {
   EXPECT_EQ(loadLevel(replaced(kSample, "0 -100 -150 0", "0 -100 -188 0")).level != nullptr, true);
   const auto result = loadLevel(replaced(kSample, "0 -100 -150 0", "0 -100 -189 0"));
   EXPECT_EQ(result.level, nullptr);
-  EXPECT_EQ(messages(result), "4:3: the start is blocked: a line or a corner overlaps the player there\n");
+  EXPECT_EQ(messages(result),
+            "4:3: the start is blocked: a line or a corner overlaps the player there; move the start or the line\n");
 }
 
 TEST(LevelTest, TheStartIsCheckedAcrossEdges) {
@@ -124,13 +125,14 @@ TEST(LevelTest, TheStartIsCheckedAcrossEdges) {
   const std::string wall = replaced(kSample, "%\n%\n", "%\n-235 -240 -235 240\n%\n");
   EXPECT_NE(loadLevel(replaced(wall, "0 -100 -150 0", "0 222 0 0")).level, nullptr);
   const auto result = loadLevel(replaced(wall, "0 -100 -150 0", "0 235 0 0"));
-  EXPECT_EQ(messages(result), "4:3: the start is blocked: a line or a corner overlaps the player there\n");
+  EXPECT_EQ(messages(result),
+            "4:3: the start is blocked: a line or a corner overlaps the player there; move the start or the line\n");
 }
 
 TEST(LevelTest, TheGoalMayBeOnTheEdgeButNotOutside) {
   EXPECT_NE(load(replaced(kSample, "3 120 80", "3 240 -240")), nullptr);
   const auto result = loadLevel(replaced(kSample, "3 120 80", "3 240.001 80"));
-  EXPECT_EQ(messages(result), "5:3: the goal is outside its face\n");
+  EXPECT_EQ(messages(result), "5:3: the goal is outside its face: move it inside\n");
 }
 
 TEST(LevelTest, WarningsAreNotErrors) {
@@ -140,9 +142,9 @@ TEST(LevelTest, WarningsAreNotErrors) {
   ASSERT_NE(result.level, nullptr);
   EXPECT_EQ(messages(result),
             "9:1: the line has no length: it blocks as a point\n"
-            "11:1: duplicate of line 10\n"
-            "12:1: the line has no effect: it is in a corner of its face, which blocks already\n"
-            "13:1: the line only touches its face\n");
+            "11:1: duplicate of line 10: remove one of the two\n"
+            "12:1: the line has no effect: it is in a corner of its face, which blocks already; remove it\n"
+            "13:1: the line only touches its face: move it inside, or remove it\n");
   EXPECT_TRUE(std::none_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; }));
   EXPECT_EQ(result.level->segments[0].size(), 6u);
 }
@@ -158,7 +160,7 @@ TEST(LevelTest, TooManyLinesInOnePlaceAreAnError) {
   EXPECT_EQ(
       format("sample", result.diagnostics[0]),
       "sample:550:1: error: too many lines in one place: more than 512 touch the square of 80 x 80 units round -36 "
-      "-84 of face 0; remove some or spread them");
+      "-84 of face 0; remove some or spread them out");
 }
 
 TEST(LevelTest, ALineThatFillsALevelWithWarningsDoesNotHideTheError) {
@@ -230,7 +232,7 @@ TEST(LevelTest, TheNumberOfDiagnosticsIsBounded) {
   while (text.size() < kMaxLevelBytes - 2) text += "%\n";
   const auto many = loadLevel("HEXAHEDRON\n0 0 0 0\n0 0 0\n480\n" + text.substr(0, text.size() - 100));
   EXPECT_EQ(many.diagnostics.size(), Diagnostics::kMax + 1);
-  EXPECT_EQ(many.diagnostics.back().message, "too many errors; fix these first");
+  EXPECT_EQ(many.diagnostics.back().message, "too many errors and warnings; fix these first");
   EXPECT_TRUE(many.diagnostics.back().error);
 }
 

@@ -131,7 +131,7 @@ TEST(RecordingReaderTest, ReportsWhereATruncatedRecordingEnds) {
   EXPECT_EQ(faultAt(end->offset - 1), "byte " + text(end->offset - 1) +
                                           ": the recording is truncated within the block at byte " +
                                           text(second->offset));
-  EXPECT_EQ(faultAt(5), "byte 5: the recording is truncated within the head");
+  EXPECT_EQ(faultAt(5), "byte 5: the recording is truncated within the header");
 }
 
 TEST(RecordingReaderTest, ReturnsNothingAfterTheEnd) {
