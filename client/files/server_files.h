@@ -16,7 +16,8 @@ namespace platon {
 
 /// Keeps the session token of a server on disk, so that a client that has crashed resumes its player at the next start.
 /// One file per server, readable only by its owner. The object locks the file while it exists: of two clients on the
-/// same server, only the first uses the file, and the second cannot resume the first one's player.
+/// same server, only the first uses the file, and the second cannot resume the first one's player. It is no KeptFile,
+/// which is locked only while it is changed.
 class SessionFile {
  public:
   /// Locks the file of this server; creates folder and file if needed. If that fails, or `folder` is empty, the object

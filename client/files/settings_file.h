@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "client/ui/settings.h"
 #include "protocol/files/file_writer.h"
@@ -12,10 +11,10 @@
 
 namespace platon {
 
-/// The file `settings` that keeps the player's settings between games. A save writes the settings, followed by the
-/// lines of unknown settings that `load` found, and replaces the file by a rename, so that it is never half written. A
-/// file with invalid lines is copied to `settings.broken` before it is replaced for the first time, and stays if that
-/// fails. The copy replaces the one of an earlier file. An error is reported on standard error.
+/// The KeptFile `settings` with the player's settings between games. A save writes the settings, followed by the lines
+/// of unknown settings that the file holds then. A file with invalid lines is copied to `settings.broken` before it is
+/// replaced, and stays if that fails. The copy replaces the one of an earlier file. An error is reported on standard
+/// error.
 class SettingsFile {
  public:
   /// Uses the file in `folder`. With an empty `folder` nothing is loaded or saved.
@@ -39,13 +38,9 @@ class SettingsFile {
   static constexpr Time kLookInterval = std::chrono::milliseconds(250);
 
   void look(const Settings& settings, Time now);
-  Settings refuse(const std::string& reason);
-  std::string brokenPath() const;
   void report(const std::optional<std::string>& fault) const;
-  std::string textOf(const Settings& settings) const;
 
   std::filesystem::path path_;
-  std::vector<std::string> unknownLines_;
   std::string fault_;
   std::optional<FileWriter> writer_;  // nothing if the file must not be written
   std::optional<std::string> saved_;  // the last text that was to be written, or the first one

@@ -1,18 +1,12 @@
 #include "client/lobby/remembered.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <variant>
 
-#include "protocol/files/private_file.h"
-#include "protocol/files/text_file.h"
 #include "protocol/files/word_reader.h"
 #include "protocol/hash_text.h"
 #include "protocol/program_error.h"
@@ -51,48 +45,16 @@ std::optional<KnownServer> parse(std::string_view line) {
 // Most bytes of the file: thousands of servers.
 constexpr std::size_t kMaxKnownBytes = std::size_t{1} << 20;
 
-// The file, which no other client changes meanwhile. Where the file system has no locks, it is not locked. A player may
-// keep the file elsewhere and have a symbolic link to it here.
-OpenedFile lockedFile(const std::filesystem::path& path) {
-  std::error_code missing;
-  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
-  const std::string target = (missing ? path : linked).string();
-  OpenedFile opened = openPrivateFile(target);
-  if (opened.file && lockFile(opened.file) == LockResult::kHeld) return {Descriptor(), lockFault(target)};
-  return opened;
-}
-
-// Adds the whole text or, on a full disk, nothing. Returns the reason of the system then.
-std::string append(const Descriptor& file, std::string_view text) {
-  const off_t end = lseek(file.number(), 0, SEEK_END);
-  errno = ENOSPC;  // for a text that is written in part
-  if (end >= 0 && write(file.number(), text.data(), text.size()) == std::ssize(text)) return {};
-  const std::string fault = std::strerror(errno);
-  if (end >= 0) (void)!ftruncate(file.number(), end);
-  return fault;
-}
-
 }  // namespace
 
-std::string KnownServers::read() const {
-  std::error_code ignored;
-  if (std::filesystem::status(file_, ignored).type() == std::filesystem::file_type::not_found) return {};
-  auto read = readTextFile(file_.string(), kMaxKnownBytes);
-  if (const auto* error = std::get_if<ParseError>(&read))
-    refuse(file_.string(), error->what + "; make this file readable");
-  auto& text = std::get<std::string>(read);
-  if (text.size() > kMaxKnownBytes)
-    refuse(file_.string(),
-           "it has more than " + std::to_string(kMaxKnownBytes) + " bytes; remove lines that you do not need");
-  return std::move(text);
-}
+KnownServers::KnownServers(std::filesystem::path file) : file_(std::move(file), kMaxKnownBytes) {}
 
 std::optional<CryptoKey> KnownServers::findIn(const std::string& text, const ServerAddress& server) const {
   std::optional<CryptoKey> found;
   for (TextLines lines(text); lines.nextEntry();) {
     const std::optional<KnownServer> known = parse(lines.line());
     if (!known) {
-      refuse(file_.string() + ":" + std::to_string(lines.number()),
+      refuse(file().string() + ":" + std::to_string(lines.number()),
              "damaged line, expected HOST:PORT KEY; correct or remove it. If you remove it, the key of the server is "
              "saved again when you join");
     }
@@ -101,28 +63,23 @@ std::optional<CryptoKey> KnownServers::findIn(const std::string& text, const Ser
   return found;
 }
 
-std::optional<CryptoKey> KnownServers::find(const ServerAddress& server) const { return findIn(read(), server); }
+std::optional<CryptoKey> KnownServers::find(const ServerAddress& server) const {
+  const auto text = file_.read();
+  if (const auto* error = std::get_if<ParseError>(&text)) refuse(file().string(), error->what);
+  return findIn(std::get<std::string>(text), server);
+}
 
 std::string KnownServers::remember(const ServerAddress& server, const CryptoKey& key) const {
-  if (file_.empty()) return {};
-  std::error_code ignored;  // the file cannot be opened then
-  std::filesystem::create_directories(file_.parent_path(), ignored);
-  const OpenedFile opened = lockedFile(file_);
-  if (!opened.file) return faultOf(opened.fault);
-  std::string text;
+  const auto add = [&](const std::string& kept) {
+    if (findIn(kept, server)) return kept;
+    return kept + (kept.empty() || kept.ends_with('\n') ? "" : "\n") + server.text() + " " + textOf(key) + "\n";
+  };
   try {
-    text = read();
-    if (findIn(text, server)) return {};
+    const std::string fault = file_.change(add);
+    return fault.empty() ? fault : "cannot save the key of the server: " + file().string() + ": " + fault;
   } catch (const ProgramError& error) {
     return error.what();
   }
-  const std::string line = server.text() + " " + textOf(key) + "\n";
-  const std::string fault = append(opened.file, (text.empty() || text.ends_with('\n') ? "" : "\n") + line);
-  return fault.empty() ? fault : faultOf(fault);
-}
-
-std::string KnownServers::faultOf(const std::string& reason) const {
-  return "cannot save the key of the server: " + file_.string() + ": " + reason;
 }
 
 namespace {
@@ -159,7 +116,7 @@ void RecentServers::remember(const ServerAddress& server) const {
     }
     return text;
   };
-  file_.change(first, FileReplacement::Wait::kForDisk);
+  file_.change(first);
 }
 
 namespace {
@@ -198,7 +155,7 @@ std::string ReachedLevels::add(std::uint64_t level) {
     for (const std::uint64_t each : levels_) text += hashText(each) + "\n";
     return text;
   };
-  const std::string fault = file_.change(addTo, FileReplacement::Wait::kNot);
+  const std::string fault = file_.change(addTo, KeptFile::Wait::kNot);
   if (fault.empty()) return {};
   return "cannot save that the goal was reached: " + file_.path().string() + ": " + fault;
 }

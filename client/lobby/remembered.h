@@ -19,23 +19,20 @@ namespace platon {
 class KnownServers {
  public:
   /// An empty path: remembers nothing.
-  explicit KnownServers(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit KnownServers(std::filesystem::path file);
 
   /// The key of a server; nothing if it is not known. Throws ProgramError (kUsage) if the file exists and cannot be
   /// read, is larger than 1 MiB or has a damaged line.
   std::optional<CryptoKey> find(const ServerAddress& server) const;
-  /// Adds a server that is not known. The file stays as it is if it cannot be written, if another program keeps its
-  /// lock for kLockTime, or if `find` would throw; returns a sentence about it then, otherwise an empty text. Lines
-  /// that other clients add at the same time are kept.
+  /// Adds a server that is not known. The file stays as it is if it cannot be changed or if `find` would throw; returns
+  /// a sentence about it then, otherwise an empty text.
   std::string remember(const ServerAddress& server, const CryptoKey& key) const;
-  const std::filesystem::path& file() const { return file_; }
+  const std::filesystem::path& file() const { return file_.path(); }
 
  private:
-  std::string read() const;
-  std::string faultOf(const std::string& reason) const;
   std::optional<CryptoKey> findIn(const std::string& text, const ServerAddress& server) const;
 
-  std::filesystem::path file_;
+  KeptFile file_;
 };
 
 /// The servers that the player has joined, the newest first, in a text file with an address `HOST:PORT` in each line.

@@ -25,17 +25,15 @@ bool writeAll(const Descriptor& file, std::string_view content) {
   return true;
 }
 
-// Gives the new file owner and access rights of the old one, or `rights` if there is none. The owner stays the user's
-// where that is not allowed.
-bool takeRights(const Descriptor& file, const std::string& old, mode_t rights) {
+// Gives the new file owner and access rights of the old one, if there is one. The owner stays the user's where that is
+// not allowed.
+bool takeRights(const Descriptor& file, const std::string& old, FileReplacement::Readers readers) {
+  using Readers = FileReplacement::Readers;
   struct stat status {};
-  if (stat(old.c_str(), &status) != 0) return fchmod(file.number(), rights) == 0;
+  if (stat(old.c_str(), &status) != 0) return fchmod(file.number(), readers == Readers::kAll ? 0644 : 0600) == 0;
   if (fchown(file.number(), status.st_uid, status.st_gid) != 0 && errno != EPERM) return false;
-  return fchmod(file.number(), status.st_mode & 07777) == 0;
+  return fchmod(file.number(), status.st_mode & (readers == Readers::kOnlyOwner ? 0700 : 07777)) == 0;
 }
-
-constexpr mode_t kOwnRights = 0600;
-constexpr mode_t kPublicRights = 0644;
 
 // The beginning of the name for a new file beside `target`; a name has at most 255 bytes.
 std::string temporaryBeside(const std::string& target) {
@@ -74,8 +72,8 @@ void FileReplacement::write(std::string_view content) {
 std::string FileReplacement::finish(Wait wait, Readers readers) {
   if (!fault_.empty()) return fault_;
   const bool waits = wait == Wait::kForDisk;
-  const bool replaced = takeRights(file_, target_, readers == Readers::kAll ? kPublicRights : kOwnRights) &&
-                        (!waits || fsync(file_.number()) == 0) && std::rename(temporary_.c_str(), target_.c_str()) == 0;
+  const bool replaced = takeRights(file_, target_, readers) && (!waits || fsync(file_.number()) == 0) &&
+                        std::rename(temporary_.c_str(), target_.c_str()) == 0;
   if (!replaced) return fault_ = std::strerror(errno);
   file_ = Descriptor();
   return !waits || syncFolder(target_) ? std::string() : std::strerror(errno);
@@ -94,10 +92,6 @@ bool syncFolder(const std::string& file) {
 
 std::string replaceTextFile(const std::string& path, std::string_view content) {
   return replaceFile(path, content, FileReplacement::Wait::kForDisk, FileReplacement::Readers::kOwner);
-}
-
-std::string replacePublicFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, FileReplacement::Wait::kForDisk, FileReplacement::Readers::kAll);
 }
 
 std::string replaceCachedFile(const std::string& path, std::string_view content) {

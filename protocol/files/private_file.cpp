@@ -26,6 +26,35 @@ bool keepFromOthers(const Descriptor& file) {
   return !mine || (status.st_mode & kOthers) == 0 || fchmod(file.number(), status.st_mode & kOwnerOnly) == 0;
 }
 
+// Locks `file`.lock, a private file, since the file itself is replaced when it is written. On failure why, and how to
+// mend it. The lock lasts as long as the file is open.
+OpenedFile lockBeside(const std::string& file, bool needsLocks) {
+  const std::string path = file + ".lock";
+  OpenedFile opened = openPrivateFile(path);
+  if (!opened.file) {
+    return {Descriptor(), "'" + path + "' cannot be opened: " + opened.fault +
+                              "; remove it, and let the program write to its folder"};
+  }
+  const LockResult result = lockFile(opened.file);
+  if (result == LockResult::kHeld)
+    return {Descriptor(), "another program holds the lock on '" + path + "'; end that program or remove the file"};
+  if (result == LockResult::kNoLocks && needsLocks)
+    return {Descriptor(), "the file system of '" + path + "' has no locks"};
+  return opened;
+}
+
+bool isLinkToNothing(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_symlink(path, ignored) &&
+         std::filesystem::status(path, ignored).type() == std::filesystem::file_type::not_found;
+}
+
+FileReplacement::Readers readersOf(KeptFile::Kind kind) {
+  using Readers = FileReplacement::Readers;
+  if (kind == KeptFile::Kind::kOwn) return Readers::kOnlyOwner;
+  return kind == KeptFile::Kind::kNamed ? Readers::kOwner : Readers::kAll;
+}
+
 }  // namespace
 
 OpenedFile openPrivateFile(const std::string& path) {
@@ -47,46 +76,48 @@ LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit) {
   return LockResult::kLocked;
 }
 
-OpenedFile lockBeside(const std::string& file, WithoutLocks without) {
-  const std::string path = file + ".lock";
-  OpenedFile opened = openPrivateFile(path);
-  if (!opened.file) {
-    return {Descriptor(), "'" + path + "' cannot be opened: " + opened.fault +
-                              "; remove it, and let the program write to its folder"};
-  }
-  const LockResult result = lockFile(opened.file);
-  if (result == LockResult::kHeld) return {Descriptor(), lockFault(path)};
-  if (result == LockResult::kNoLocks && without == WithoutLocks::kRefuse)
-    return {Descriptor(), "the file system of '" + path + "' has no locks; name a file in another one"};
-  return opened;
+// The file is missing, and its folder is not. Where a link leads to nothing, a new file would take the place of the
+// link.
+bool KeptFile::isMissing() const {
+  std::error_code ignored;
+  const bool hasFolder = kind_ == Kind::kOwn || std::filesystem::is_directory(folderOf(path_), ignored);
+  return hasFolder && std::filesystem::symlink_status(path_, ignored).type() == std::filesystem::file_type::not_found;
 }
 
-std::string lockFault(const std::string& path) {
-  return "another program holds the lock on '" + path + "'; end that program or remove the file";
+std::string KeptFile::faultOf(const std::string& text) const {
+  if (text.size() <= maxBytes_) return {};
+  return "it has more than " + std::to_string(maxBytes_) + " bytes; remove lines that you do not need";
 }
 
 std::variant<std::string, ParseError> KeptFile::read() const {
-  if (path_.empty()) return std::string();
+  if (path_.empty() || isMissing()) return std::string();
   auto content = readTextFile(path_.string(), maxBytes_);
-  const auto* const text = std::get_if<std::string>(&content);
-  if (text != nullptr && text->size() > maxBytes_)
-    return ParseError{"it has more than " + std::to_string(maxBytes_) + " bytes"};
-  std::error_code ignored;
-  const bool missing = std::filesystem::status(path_, ignored).type() == std::filesystem::file_type::not_found;
-  return text == nullptr && missing ? std::string() : std::move(content);
+  if (auto* const error = std::get_if<ParseError>(&content)) {
+    if (isLinkToNothing(path_)) error->what = "it is a symbolic link to a missing file";
+    error->what += kind_ == Kind::kOwn ? "; make it readable or move it away"
+                                       : "; name a file that can be read and written, in a folder that exists";
+  } else if (std::string fault = faultOf(std::get<std::string>(content)); !fault.empty()) {
+    return ParseError{std::move(fault)};
+  }
+  return content;
 }
 
-std::string KeptFile::change(const Edit& edit, FileReplacement::Wait wait) const {
+std::string KeptFile::change(const Edit& edit, Wait wait) const {
   if (path_.empty()) return {};
   std::error_code ignored;  // locking reports the error
-  std::filesystem::create_directories(folderOf(path_), ignored);
-  const OpenedFile lock = lockBeside(path_.string(), WithoutLocks::kGoOn);
-  if (!lock.file) return lock.fault;
+  if (kind_ == Kind::kOwn) std::filesystem::create_directories(folderOf(path_), ignored);
+  const OpenedFile lock = lockBeside(path_.string(), kind_ == Kind::kPublished);
   const auto before = read();
   if (const auto* error = std::get_if<ParseError>(&before)) return error->what;
+  if (!lock.file) return lock.fault;
+  const auto after = edit(std::get<std::string>(before));
+  if (const auto* error = std::get_if<ParseError>(&after)) return error->what;
+  const auto& text = std::get<std::string>(after);
+  if (text == std::get<std::string>(before)) return {};
+  if (std::string fault = faultOf(text); !fault.empty()) return fault;
   FileReplacement replacement(path_.string());
-  replacement.write(edit(std::get<std::string>(before)));
-  return replacement.finish(wait, FileReplacement::Readers::kOwner);
+  replacement.write(text);
+  return replacement.finish(wait, readersOf(kind_));
 }
 
 }  // namespace platon

@@ -35,38 +35,41 @@ inline constexpr std::chrono::milliseconds kLockTime{2000};
 /// the lock delays this one only so long.
 LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit = kLockTime);
 
-/// What to do where a file system has no locks.
-enum class WithoutLocks : std::uint8_t { kRefuse, kGoOn };
-
-/// Locks `path`.lock, a private file beside a file that is itself replaced when it is written, so that one program at a
-/// time changes it. On failure why, and how to mend it. The lock lasts as long as the file is open.
-OpenedFile lockBeside(const std::string& path, WithoutLocks without);
-
-/// The sentence for a lock on the file at this path that another program holds: what is wrong and how to mend it.
-std::string lockFault(const std::string& path);
-
-/// A file in which the programs of a user remember something, a text. One program at a time changes it, so nothing that
-/// another one has added is lost, and a file that cannot be read as a whole is never written.
+/// A file in which programs remember something, a text: the one way in which all of them read, lock and write such a
+/// file. One program at a time changes it, with a lock on `path`.lock, so nothing that another one has added is lost. A
+/// file that cannot be read as a whole is never written, and one that is written holds all of the old text or all of
+/// the new one at any time. What is wrong is told as a clause that also says how to mend it.
 class KeptFile {
  public:
-  /// Makes the new text from what the file holds.
-  using Edit = std::function<std::string(const std::string& text)>;
+  enum class Kind : std::uint8_t {
+    kOwn,        ///< of the program, for its user only: its folder is made, and others may no longer read an older file
+    kNamed,      ///< named by the user: its folder must exist, and an older file keeps its access rights
+    kPublished,  ///< as kNamed, but everybody may read a new one, and its file system must have locks
+  };
+  using Wait = FileReplacement::Wait;
+  /// Makes the new text from what the file holds, or says why it must stay.
+  using Edit = std::function<std::variant<std::string, ParseError>(const std::string& text)>;
 
   /// An empty path: there is no file, and nothing is kept.
-  KeptFile(std::filesystem::path path, std::size_t maxBytes) : path_(std::move(path)), maxBytes_(maxBytes) {}
+  KeptFile(std::filesystem::path path, std::size_t maxBytes, Kind kind = Kind::kOwn)
+      : path_(std::move(path)), maxBytes_(maxBytes), kind_(kind) {}
 
-  /// The text; empty if there is no file yet. On failure why it cannot be read: also one of more than `maxBytes`
-  /// cannot.
+  /// The text; empty if there is no file yet. On failure why it cannot be read: also a link to nothing and a text of
+  /// more than `maxBytes` cannot.
   std::variant<std::string, ParseError> read() const;
-  /// Replaces the text, and makes the folder of the file if it is missing. Waits for another program that changes the
-  /// file, for at most kLockTime. Returns why that failed, or an empty text.
-  std::string change(const Edit& edit, FileReplacement::Wait wait) const;
+  /// Replaces the text if the edit changes it. Waits for another program that changes the file, for at most kLockTime.
+  /// Returns why that failed, or an empty text. The file stays as it is if the edit throws.
+  std::string change(const Edit& edit, Wait wait = Wait::kForDisk) const;
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  bool isMissing() const;
+  std::string faultOf(const std::string& text) const;
+
   std::filesystem::path path_;
   std::size_t maxBytes_;
+  Kind kind_;
 };
 
 }  // namespace platon

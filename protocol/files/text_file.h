@@ -62,7 +62,8 @@ std::variant<std::string, ParseError> readTextFile(const std::string& path, std:
 class FileReplacement {
  public:
   enum class Wait : std::uint8_t { kForDisk, kNot };
-  enum class Readers : std::uint8_t { kOwner, kAll };
+  /// Who may read a new file, whatever the umask. `kOnlyOwner`: nor may others do with an older one from now on.
+  enum class Readers : std::uint8_t { kOwner, kAll, kOnlyOwner };
 
   /// The reason of a failure is in `fault`, and all below do nothing then.
   explicit FileReplacement(const std::string& path);
@@ -71,8 +72,8 @@ class FileReplacement {
   FileReplacement& operator=(const FileReplacement&) = delete;
 
   void write(std::string_view content);
-  /// Puts the content in the place of the file, which keeps its access rights. A new one can be read by its owner, or
-  /// by everybody whatever the umask. Returns why that failed, or an empty text.
+  /// Puts the content in the place of the file, which keeps its access rights. Returns why that failed, or an empty
+  /// text.
   std::string finish(Wait wait = Wait::kNot, Readers readers = Readers::kAll);
   const std::string& fault() const { return fault_; }
 
@@ -87,9 +88,6 @@ class FileReplacement {
 /// a power failure. Keeps the access rights of the file, and a symbolic link to it; only its owner may read a new file.
 /// Replaces no named pipe and no device. Returns why that failed, or an empty text. May wait for the disk.
 std::string replaceTextFile(const std::string& path, std::string_view content);
-
-/// As above, but everybody may read a new file, whatever the umask: for what another program publishes.
-std::string replacePublicFile(const std::string& path, std::string_view content);
 
 /// As replaceTextFile, but does not wait for the disk: after a power failure the file may be empty or the old one. For
 /// what can be made again.

@@ -1,62 +1,60 @@
 #include "server/admin/announcement.h"
 
 #include <algorithm>
-#include <exception>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 #include <variant>
 
 #include "protocol/files/private_file.h"
-#include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 
 namespace platon {
 namespace {
 
-// The servers in a file, none if it does not exist; or what is wrong with it.
-std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string& file) {
-  std::error_code fault;
-  const bool exists = std::filesystem::exists(file, fault);
-  if (fault) return ParseError{fault.message()};
-  if (!exists) return std::vector<ListedServer>();
-  const auto text = readTextFile(file, kMaxServerListBytes);
-  if (const auto* error = std::get_if<ParseError>(&text)) return *error;
-  auto read = readServerList(std::get<std::string>(text));
-  if (const auto* error = std::get_if<ParseError>(&read)) return *error;
-  auto& list = std::get<ServerList>(read);
-  if (!list.faults.empty()) return ParseError{list.faults.front()};
-  return std::move(list.servers);
+using Servers = std::vector<ListedServer>;
+
+KeptFile keptAt(const std::string& file) { return {file, kMaxServerListBytes, KeptFile::Kind::kPublished}; }
+
+// The servers in the text of a file, none if that is new; or what is wrong with it.
+std::variant<Servers, ParseError> serversIn(const std::string& text) {
+  if (text.empty()) return Servers();
+  auto read = readServerList(text);
+  const auto* error = std::get_if<ParseError>(&read);
+  auto* const list = std::get_if<ServerList>(&read);
+  if (list != nullptr && list->faults.empty()) return std::move(list->servers);
+  return ParseError{(error != nullptr ? error->what : list->faults.front()) +
+                    "; correct the file or name another one after --announce"};
 }
 
-// Puts `own`, a list with the entry at this address or with none, in place of the entry that a file has there. Returns
-// why that failed, or an empty text.
-std::string replaceEntry(const std::string& file, const ServerAddress& address, std::string_view own) {
-  const OpenedFile lock = lockBeside(file, WithoutLocks::kRefuse);
-  if (!lock.file) return lock.fault;
-  auto read = serversIn(file);
-  if (const auto* error = std::get_if<ParseError>(&read)) return error->what;
-  auto& servers = std::get<std::vector<ListedServer>>(read);
+// Puts `own`, a list with the entry at this address or with none, in place of the entry that a list has there.
+std::variant<std::string, ParseError> replaceEntry(const std::string& kept, const ServerAddress& address,
+                                                   std::string_view own) {
+  auto read = serversIn(kept);
+  if (auto* error = std::get_if<ParseError>(&read)) return std::move(*error);
+  Servers& servers = std::get<Servers>(read);
   const auto before =
       std::find_if(servers.begin(), servers.end(), [&](const ListedServer& each) { return each.address == address; });
-  const auto wanted = std::get<ServerList>(readServerList(own)).servers;
-  if (before == servers.end() ? wanted.empty() : wanted == std::vector{*before}) return {};
+  const Servers wanted = std::get<ServerList>(readServerList(own)).servers;
+  if (before == servers.end() ? wanted.empty() : wanted == std::vector{*before}) return kept;
   if (before != servers.end()) servers.erase(before);
   servers.insert(servers.end(), wanted.begin(), wanted.end());
   if (servers.size() > kMaxListedServers)
-    return "the list is full: it has " + std::to_string(kMaxListedServers) + " servers; remove one of them";
-  return replacePublicFile(file, serverListText(servers));
+    return ParseError{"the list is full: it has " + std::to_string(kMaxListedServers) + " servers; remove one of them"};
+  return serverListText(servers);
 }
 
-// In the thread of the writer, which takes no exceptions.
 FileWriter::Replace replaceEntryAt(const ServerAddress& address) {
-  return [address](const std::string& file, std::string_view own) -> std::string {
-    try {
-      return replaceEntry(file, address, own);
-    } catch (const std::exception& error) {
-      return error.what();
-    }
+  return [address](const std::string& file, std::string_view own) {
+    return keptAt(file).change([&](const std::string& kept) { return replaceEntry(kept, address, own); });
   };
+}
+
+// Why a server cannot be announced in a file; empty if it can.
+std::string faultOf(const std::string& file) {
+  const auto text = keptAt(file).read();
+  if (const auto* error = std::get_if<ParseError>(&text)) return error->what;
+  const auto servers = serversIn(std::get<std::string>(text));
+  const auto* error = std::get_if<ParseError>(&servers);
+  return error == nullptr ? "" : error->what;
 }
 
 }  // namespace
@@ -65,11 +63,8 @@ Announcement::Announcement(const std::string& file, const ServerIdentity& identi
     : identity_(identity),
       address_(std::move(address)),
       file_(std::make_unique<FileWriter>(file, startThread, replaceEntryAt(address_))) {
-  const auto servers = serversIn(file);
-  if (const auto* error = std::get_if<ParseError>(&servers)) {
-    throw ProgramError(ProgramError::kUsage, "cannot announce the server in '" + file + "': " + error->what +
-                                                 "; correct the file or name another one after --announce");
-  }
+  if (const std::string fault = faultOf(file); !fault.empty())
+    throw ProgramError(ProgramError::kUsage, "cannot announce the server in '" + file + "': " + fault);
 }
 
 void Announcement::enter(std::string_view name) { write(true, {listedServer(identity_, address_, name)}); }

@@ -140,7 +140,8 @@ class BanList {
 std::variant<BanList, std::vector<std::string>> readBanFile(const std::string& path);
 
 /// The bans of a running server, and the file that keeps them. Before each change the file is read again, so that what
-/// somebody has edited meanwhile is kept.
+/// somebody has edited meanwhile is kept. It is no KeptFile: the one who shares it is the operator, whose editor takes
+/// no lock, and a file that is missing must not be taken for one without bans.
 class BanStore {
  public:
   /// Bans that end with the server.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <utility>
 
 #include "platon/game/game.h"
 #include "protocol/files/private_file.h"
-#include "protocol/files/text_file.h"
 #include "protocol/files/word_reader.h"
 #include "protocol/hash_text.h"
 #include "protocol/label.h"
@@ -62,9 +60,6 @@ static_assert(kMaxNameBytes == 32);
 }  // namespace
 
 std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_view text) {
-  if (text.size() > kMaxBytes) {
-    return std::vector{Diagnostic{1, 1, true, "the file has more than " + std::to_string(kMaxBytes) + " bytes"}};
-  }
   BestTimes times;
   std::vector<Diagnostic> errors;
   for (TextLines lines(text); errors.size() < kMaxErrors && lines.nextEntry();) {
@@ -126,36 +121,33 @@ void BestTimes::limit() {
 
 namespace {
 
-constexpr const char* kRemedy = "; name a file that can be read and written, in a folder that exists";
+KeptFile keptAt(const std::string& path) { return {path, BestTimes::kMaxBytes, KeptFile::Kind::kNamed}; }
 
-}  // namespace
-
-std::variant<BestTimes, std::vector<std::string>> readBestTimes(const std::string& path) {
-  const std::filesystem::path file(path);
-  std::error_code fault;
-  const bool missing = std::filesystem::status(file, fault).type() == std::filesystem::file_type::not_found;
-  const bool hasFolder = !file.has_parent_path() || std::filesystem::is_directory(file.parent_path(), fault);
-  if (missing && hasFolder) return BestTimes();
-  auto text = readTextFile(path, BestTimes::kMaxBytes);
-  if (const auto* error = std::get_if<ParseError>(&text)) {
-    return std::vector{path + ": error: " + error->what + kRemedy};
-  }
-  auto parsed = BestTimes::parse(std::get<std::string>(text));
+std::variant<BestTimes, std::vector<std::string>> timesIn(const std::string& path, const std::string& text) {
+  auto parsed = BestTimes::parse(text);
   if (auto* times = std::get_if<BestTimes>(&parsed)) return std::move(*times);
   std::vector<std::string> errors;
   for (const Diagnostic& one : std::get<std::vector<Diagnostic>>(parsed)) errors.push_back(format(path, one));
   return errors;
 }
 
-// Another program may add times meanwhile. There are file systems without locks, where one of the two is lost then.
+}  // namespace
+
+std::variant<BestTimes, std::vector<std::string>> readBestTimes(const std::string& path) {
+  const auto text = keptAt(path).read();
+  if (const auto* error = std::get_if<ParseError>(&text)) return std::vector{path + ": error: " + error->what};
+  return timesIn(path, std::get<std::string>(text));
+}
+
 std::string addBestTimes(const std::string& path, std::string_view text) {
-  const OpenedFile lock = lockBeside(path, WithoutLocks::kGoOn);
-  auto read = readBestTimes(path);
-  if (const auto* errors = std::get_if<std::vector<std::string>>(&read)) return errors->front();
-  if (!lock.file) return path + ": error: " + lock.fault;
-  BestTimes& times = std::get<BestTimes>(read);
-  times.merge(std::get<BestTimes>(BestTimes::parse(text)));
-  return replaceTextFile(path, times.text());
+  const auto add = [&](const std::string& kept) -> std::variant<std::string, ParseError> {
+    auto read = timesIn(path, kept);
+    if (const auto* errors = std::get_if<std::vector<std::string>>(&read)) return ParseError{errors->front()};
+    BestTimes& times = std::get<BestTimes>(read);
+    times.merge(std::get<BestTimes>(BestTimes::parse(text)));
+    return times.text();
+  };
+  return keptAt(path).change(add);
 }
 
 BestTimeStore::BestTimeStore(Clock clock, const std::string& path, BestTimes times)

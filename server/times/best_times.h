@@ -43,7 +43,7 @@ struct DatedTime {
 /// that begin with `#` are skipped.
 class BestTimes {
  public:
-  /// Longest text, bytes.
+  /// Most bytes of `text()` and of a file.
   static constexpr std::size_t kMaxBytes = 1024 * 1024;
   /// Most best times. When there are more, those that are oldest by their dates are forgotten.
   static constexpr std::size_t kMaxTimes = 10'000;
@@ -78,7 +78,7 @@ class BestTimes {
 std::variant<BestTimes, std::vector<std::string>> readBestTimes(const std::string& path);
 
 /// Adds the best times of a text to those of a file, as FileWriter needs it. Returns why that failed, or an empty text.
-/// A damaged file is not changed. May wait for the disk.
+/// A damaged file is not changed. May wait for the disk, and for another server.
 std::string addBestTimes(const std::string& path, std::string_view text);
 
 /// The best times of a running server by the present rules, and the file that keeps them. New times are added to what

@@ -5,8 +5,11 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -88,7 +91,6 @@ TEST_F(PrivateFileTest, ALockThatAnotherProgramHoldsIsTriedForALimitedTime) {
     EXPECT_EQ(lockFile(ours.file, milliseconds(40)), LockResult::kHeld);
   }
   EXPECT_EQ(lockFile(ours.file, milliseconds(0)), LockResult::kLocked);
-  EXPECT_EQ(lockFault(path_), "another program holds the lock on '" + path_ + "'; end that program or remove the file");
 }
 
 TEST_F(PrivateFileTest, ALockIsTakenWhenItsHolderLetsGo) {
@@ -103,7 +105,8 @@ TEST_F(PrivateFileTest, WhatCannotBeLockedIsNotWaitedFor) {
   EXPECT_EQ(lockFile(Descriptor(), std::chrono::hours(1)), LockResult::kNoLocks);
 }
 
-constexpr auto kNot = FileReplacement::Wait::kNot;
+using Kind = KeptFile::Kind;
+constexpr auto kNot = KeptFile::Wait::kNot;
 
 std::string faultOf(const KeptFile& file) {
   const auto read = file.read();
@@ -113,12 +116,14 @@ std::string faultOf(const KeptFile& file) {
 
 class KeptFileTest : public testing::Test {
  protected:
-  std::string add(const std::string& more) const {
-    return file_.change([&](const std::string& text) { return text + more; }, kNot);
+  std::string addTo(const KeptFile& file, const std::string& more) const {
+    return file.change([&](const std::string& text) { return text + more; }, kNot);
   }
+  std::string add(const std::string& more) const { return addTo(file_, more); }
+  fs::perms rights() const { return fs::status(path_).permissions(); }
 
   const TemporaryFolder folder_;
-  const std::filesystem::path path_ = folder_ / "made/kept";
+  const fs::path path_ = folder_ / "made/kept";
   const KeptFile file_{path_, 10};
 };
 
@@ -127,20 +132,85 @@ TEST_F(KeptFileTest, AMissingFileIsEmptyAndMadeByTheFirstChange) {
   EXPECT_EQ(add("one "), "");
   EXPECT_EQ(add("two"), "");
   EXPECT_EQ(std::get<std::string>(file_.read()), "one two");
-  EXPECT_EQ(std::filesystem::status(path_).permissions(), std::filesystem::perms(0600));
+}
+
+TEST_F(KeptFileTest, AFileThatTheUserHasNamedNeedsItsFolder) {
+  for (const Kind kind : {Kind::kNamed, Kind::kPublished}) {
+    const KeptFile named(path_, 10, kind);
+    const std::string fault =
+        "No such file or directory; name a file that can be read and written, in a folder that exists";
+    EXPECT_EQ(faultOf(named), fault);
+    EXPECT_EQ(addTo(named, "x"), fault);
+    EXPECT_FALSE(fs::exists(folder_ / "made"));
+  }
+}
+
+TEST_F(KeptFileTest, WhoMayReadItDependsOnWhoseItIs) {
+  fs::create_directory(folder_ / "made");
+  const std::vector<std::pair<Kind, unsigned>> rightsOfNew{
+      {Kind::kOwn, 0600}, {Kind::kNamed, 0600}, {Kind::kPublished, 0644}};
+  for (const auto& [kind, rightsOf] : rightsOfNew) {
+    const KeptFile file(path_, 10, kind);
+    EXPECT_EQ(addTo(file, "x"), "");
+    EXPECT_EQ(rights(), fs::perms(rightsOf));
+    fs::permissions(path_, fs::perms(0640));
+    EXPECT_EQ(addTo(file, "x"), "");
+    EXPECT_EQ(rights(), fs::perms(kind == Kind::kOwn ? 0600 : 0640)) << "of an older file";
+    fs::remove(path_);
+  }
 }
 
 TEST_F(KeptFileTest, WhatCannotBeReadAsAWholeIsNotWritten) {
   std::filesystem::create_directory(folder_ / "made");
   writeText(path_, "too long by far");
-  EXPECT_EQ(faultOf(file_), "it has more than 10 bytes");
-  EXPECT_EQ(add("x"), "it has more than 10 bytes");
+  const std::string tooLong = "it has more than 10 bytes; remove lines that you do not need";
+  EXPECT_EQ(faultOf(file_), tooLong);
+  EXPECT_EQ(add("x"), tooLong);
   EXPECT_EQ(readText(path_), "too long by far");
   std::filesystem::remove(path_);
   std::filesystem::create_symlink(path_, path_);
-  EXPECT_EQ(faultOf(file_), "Too many levels of symbolic links");
-  EXPECT_EQ(add("x"), "Too many levels of symbolic links");
+  const std::string inACircle = "Too many levels of symbolic links; make it readable or move it away";
+  EXPECT_EQ(faultOf(file_), inACircle);
+  EXPECT_EQ(add("x"), inACircle);
   EXPECT_TRUE(std::filesystem::is_symlink(path_));
+  fs::remove(path_);
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_EQ(add("x"), "it is a pipe, not a regular file; make it readable or move it away");
+  EXPECT_TRUE(fs::is_fifo(path_));
+}
+
+TEST_F(KeptFileTest, WhatCouldNotBeReadAgainIsNotWritten) {
+  EXPECT_EQ(add("0123456789"), "");
+  EXPECT_EQ(add("x"), "it has more than 10 bytes; remove lines that you do not need");
+  EXPECT_EQ(readText(path_), "0123456789");
+}
+
+// The file may be on a disk that is not there yet.
+TEST_F(KeptFileTest, ALinkToNothingStays) {
+  fs::create_directory(folder_ / "made");
+  fs::create_symlink("elsewhere", path_);
+  const std::string fault = "it is a symbolic link to a missing file; make it readable or move it away";
+  EXPECT_EQ(faultOf(file_), fault);
+  EXPECT_EQ(add("x"), fault);
+  EXPECT_TRUE(fs::is_symlink(path_));
+  EXPECT_FALSE(fs::exists(folder_ / "made/elsewhere"));
+  writeText(folder_ / "made/elsewhere", "old ");
+  EXPECT_EQ(add("new"), "");
+  EXPECT_TRUE(fs::is_symlink(path_));
+  EXPECT_EQ(readText(folder_ / "made/elsewhere"), "old new");
+}
+
+TEST_F(KeptFileTest, AnEditThatRefusesOrChangesNothingLeavesTheFile) {
+  EXPECT_EQ(add("old"), "");
+  std::ifstream reader(path_);
+  EXPECT_EQ(file_.change([](const std::string&) { return ParseError{"it is damaged"}; }), "it is damaged");
+  EXPECT_THROW(file_.change([](const std::string&) -> std::string { throw std::runtime_error("damaged"); }),
+               std::runtime_error);
+  EXPECT_EQ(add(""), "");
+  std::ofstream(path_) << "new";
+  std::string line;
+  std::getline(reader, line);
+  EXPECT_EQ(line, "new") << "another file has taken its place";
 }
 
 TEST_F(KeptFileTest, OneProgramAtATimeChangesIt) {
@@ -159,10 +229,24 @@ TEST_F(KeptFileTest, OneProgramAtATimeChangesIt) {
 
 TEST_F(KeptFileTest, ALockThatIsKeptIsAFault) {
   std::filesystem::create_directory(folder_ / "made");
-  const OpenedFile lock = lockBeside(path_.string(), WithoutLocks::kRefuse);
-  ASSERT_TRUE(lock.file);
-  EXPECT_EQ(add("x"), lockFault(path_.string() + ".lock"));
+  const std::string path = path_.string() + ".lock";
+  const OpenedFile lock = openPrivateFile(path);
+  ASSERT_EQ(lockFile(lock.file), LockResult::kLocked);
+  EXPECT_EQ(add("x"), "another program holds the lock on '" + path + "'; end that program or remove the file");
   EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+// Others could hold the lock for ever otherwise.
+TEST_F(KeptFileTest, TheLockIsForItsOwnerOnlyAndNotMadeElsewhere) {
+  const std::string lock = path_.string() + ".lock";
+  EXPECT_EQ(add("old"), "");
+  EXPECT_EQ(fs::status(lock).permissions(), fs::perms(0600));
+  fs::remove(lock);
+  fs::create_symlink(folder_ / "victim", lock);
+  EXPECT_EQ(add("new"), "'" + lock +
+                            "' cannot be opened: it is a symbolic link, not a regular file; remove it, and let the "
+                            "program write to its folder");
+  EXPECT_FALSE(fs::exists(folder_ / "victim"));
 }
 
 TEST_F(KeptFileTest, WithoutAPathNothingIsKept) {

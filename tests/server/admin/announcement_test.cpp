@@ -117,6 +117,8 @@ TEST_F(AnnouncementTest, AFileThatHoldsTheEntryIsNotWrittenAgain) {
   EXPECT_EQ(leave(ann), "");
   EXPECT_FALSE(std::filesystem::exists(file_));
   EXPECT_EQ(enter(ann, "Ann"), "");
+  Announcement bob = announcement(second_, "b.example:1");
+  EXPECT_EQ(enter(bob, "Bob"), "");
   struct stat first {};
   ASSERT_EQ(stat(file_.c_str(), &first), 0);
   const Descriptor open(::open(file_.c_str(), O_RDONLY | O_CLOEXEC));  // keeps the number of the file from being reused
@@ -183,12 +185,11 @@ TEST_F(AnnouncementTest, AFileThatCannotBeReachedIsRefused) {
   EXPECT_THAT(refusal(), HasSubstr("File name too long"));
 }
 
-TEST_F(AnnouncementTest, AFolderThatIsMissingIsNamedByTheSystem) {
-  Announcement ann(folder_ / "none/servers.json", first_, parseServerAddress("a.example:1"));
-  EXPECT_EQ(enter(ann, "Ann"),
-            "'" + (folder_ / "none/servers.json.lock").string() +
-                "' cannot be opened: No such file or directory; remove it, and let the program write "
-                "to its folder");
+TEST_F(AnnouncementTest, AFolderThatIsMissingIsRefused) {
+  file_ = folder_ / "none/servers.json";
+  EXPECT_EQ(refusal(), "cannot announce the server in '" + file_ +
+                           "': No such file or directory; name a file that can be read and written, in a folder that "
+                           "exists");
 }
 
 // Without the lock, servers that start at the same time would lose entries.
@@ -212,31 +213,6 @@ TEST_F(AnnouncementTest, NeedsAnAddressIfThereIsAFile) {
   std::optional<Announcement> ann = announcementOf(file_, "play.example.org", first_);
   EXPECT_EQ(enter(*ann, "Example"), "");
   EXPECT_THAT(listed(), ElementsAre("Example play.example.org:7777"));
-}
-
-// Others could hold the lock for ever otherwise.
-TEST_F(AnnouncementTest, TheLockIsForItsOwnerOnly) {
-  Announcement ann = announcement(first_, "a.example:1");
-  EXPECT_EQ(enter(ann, "Ann"), "");
-  struct stat status {};
-  ASSERT_EQ(stat((file_ + ".lock").c_str(), &status), 0);
-  EXPECT_EQ(status.st_mode & 0777u, 0600u);
-}
-
-TEST_F(AnnouncementTest, ALockThatSomebodyHasLinkedElsewhereIsRefused) {
-  std::filesystem::create_symlink(folder_ / "victim", file_ + ".lock");
-  Announcement ann = announcement(first_, "a.example:1");
-  EXPECT_EQ(enter(ann, "Ann"), "'" + file_ +
-                                   ".lock' cannot be opened: it is a symbolic link, not a regular file; remove it, and "
-                                   "let the program write to its folder");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "victim"));
-}
-
-TEST_F(AnnouncementTest, APipeInPlaceOfTheListIsRefused) {
-  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
-  EXPECT_EQ(refusal(), "cannot announce the server in '" + file_ +
-                           "': it is a pipe, not a regular file; correct the file or name another one after "
-                           "--announce");
 }
 
 }  // namespace

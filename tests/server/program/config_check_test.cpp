@@ -187,15 +187,14 @@ TEST_F(ConfigCheckTest, APipeInPlaceOfAnyFileIsNamedAndNotWaitedFor) {
       "best-times = \"best\"\nannounce = \"list\"\nannounce-as = \"a.example\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   const std::string fault = "it is a pipe, not a regular file; ";
+  const std::string remedy = "name a file that can be read and written, in a folder that exists";
   EXPECT_EQ(check.errors,
             (std::vector<std::string>{
                 "cannot read the level '" + at("a.level") + "': " + fault + "name a readable level file",
                 at("bans") + ": error: " + fault + "name a readable ban file; it may be empty",
-                at("best") + ": error: " + fault + "name a file that can be read and written, in a folder that exists",
-                at("key") + ": error: " + fault + "name a readable file",
+                at("best") + ": error: " + fault + remedy, at("key") + ": error: " + fault + "name a readable file",
                 at("password") + ": error: the first line is empty; write the password there",
-                "cannot announce the server in '" + at("list") + "': " + fault +
-                    "correct the file or name another one after --announce"}));
+                "cannot announce the server in '" + at("list") + "': " + fault + remedy}));
 }
 
 }  // namespace
