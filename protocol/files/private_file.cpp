@@ -39,7 +39,7 @@ OpenedFile lockBeside(const std::string& file, bool needsLocks) {
   if (result == LockResult::kHeld)
     return {Descriptor(), "another program holds the lock on '" + path + "'; end that program or remove the file"};
   if (result == LockResult::kNoLocks && needsLocks)
-    return {Descriptor(), "the file system of '" + path + "' has no locks"};
+    return {Descriptor(), "the file system of '" + path + "' has no locks; name a file in another one"};
   return opened;
 }
 
