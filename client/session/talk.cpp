@@ -3,7 +3,6 @@
 #include "protocol/chat.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
-#include "protocol/round_trip_code.h"
 
 namespace platon {
 

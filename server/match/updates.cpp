@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "protocol/round_trip_code.h"
 #include "server/match/roster.h"
 
 namespace platon {

@@ -34,7 +34,7 @@ PROTOCOL_FAULTS = [
           "if (gap >= kLongGap) out.varint", "if (gap > kLongGap) out.varint",
           "a gap of exactly three ticks is written without its length",
           "ToClient.DecodesWhatWasEncoded"),
-    at_length("round-trip-one-step-off", PROTOCOL + "round_trip_code.h",
+    at_length("round-trip-one-step-off", PROTOCOL + "to_client.h",
               "static_cast<std::uint8_t>(1 + steps)", "static_cast<std::uint8_t>(std::max(1U, steps))",
               "a round trip is told as one step shorter than it is",
               "RoundTripCode.EveryCodeButThatOfNoneIsTheCodeOfItsRoundTrip"),

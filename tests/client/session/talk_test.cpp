@@ -5,7 +5,6 @@
 
 #include "client/session/session.h"
 #include "platon/game/game.h"
-#include "protocol/round_trip_code.h"
 
 namespace platon::talk_test {
 namespace {

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/round_trip_code.h"
 #include "server/match/match.h"
 #include "tests/support/run/repetitions.h"
 #include "tests/support/test_levels.h"
