@@ -8,6 +8,7 @@
 
 #include "protocol/files/private_file.h"
 #include "protocol/files/text_file.h"
+#include "protocol/texts.h"
 
 namespace platon {
 
@@ -56,9 +57,8 @@ Settings SettingsFile::load() {
     std::fprintf(stderr, "platon-client: %s: %s\n", path_.c_str(), error.c_str());
   }
   if (const std::size_t invalid = invalidLines(result); invalid != 0) {
-    fault_ = (invalid == 1 ? "1 line" : std::to_string(invalid) + " lines") + " of " + path_.string() +
-             (invalid == 1 ? " is" : " are") + " invalid; the next save keeps the old file as " +
-             brokenOf(path_.string());
+    fault_ = counted(invalid, "line") + " of " + path_.string() + (invalid == 1 ? " is" : " are") +
+             " invalid; the next save keeps the old file as " + brokenOf(path_.string());
   }
   return result.settings;
 }
