@@ -107,7 +107,7 @@ Image RenderTarget::read() const {
   return image;
 }
 
-PictureFade::PictureFade() : program_(shaderText("picture.vert"), shaderText("fade.frag")) {}
+PictureFade::PictureFade() : program_(shaderText("picture.vert"), shaderText("fade.frag"), "fade") {}
 
 void PictureFade::keep(const RenderTarget& target) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kVersionLine = "#version 330 core\n";
 
-GLuint compiled(GLenum kind, const std::string& source) {
+GLuint compiled(GLenum kind, const std::string& source, const std::string& name) {
   const GLuint shader = glCreateShader(kind);
   const std::array<const char*, 2> parts{kVersionLine, source.c_str()};
   glShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
@@ -20,17 +20,17 @@ GLuint compiled(GLenum kind, const std::string& source) {
   std::array<char, 2048> message{};
   glGetShaderInfoLog(shader, static_cast<GLsizei>(message.size()), nullptr, message.data());
   glDeleteShader(shader);
-  throw std::runtime_error(std::string("cannot compile a shader: ") + message.data());
+  throw std::runtime_error("cannot compile " + name + ": " + message.data());
 }
 
 }  // namespace
 
 ShaderProgram::ShaderProgram(const std::string& name)
-    : ShaderProgram(shaderText(name + ".vert"), shaderText(name + ".frag")) {}
+    : ShaderProgram(shaderText(name + ".vert"), shaderText(name + ".frag"), name) {}
 
-ShaderProgram::ShaderProgram(const std::string& vertex, const std::string& fragment) {
-  const GLuint first = compiled(GL_VERTEX_SHADER, vertex);
-  const GLuint second = compiled(GL_FRAGMENT_SHADER, fragment);
+ShaderProgram::ShaderProgram(const std::string& vertex, const std::string& fragment, const std::string& name) {
+  const GLuint first = compiled(GL_VERTEX_SHADER, vertex, "the vertex shader of " + name);
+  const GLuint second = compiled(GL_FRAGMENT_SHADER, fragment, "the fragment shader of " + name);
   name_ = glCreateProgram();
   glAttachShader(name_, first);
   glAttachShader(name_, second);
@@ -43,7 +43,7 @@ ShaderProgram::ShaderProgram(const std::string& vertex, const std::string& fragm
   std::array<char, 2048> message{};
   glGetProgramInfoLog(name_, static_cast<GLsizei>(message.size()), nullptr, message.data());
   glDeleteProgram(name_);
-  throw std::runtime_error(std::string("cannot link shaders: ") + message.data());
+  throw std::runtime_error("cannot link the shaders of " + name + ": " + message.data());
 }
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(name_); }

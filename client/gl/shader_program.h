@@ -24,8 +24,8 @@ class ShaderProgram {
   /// The program of the files NAME.vert and NAME.frag in client/gl/shaders. Throws as below.
   explicit ShaderProgram(const std::string& name);
   /// Sources are GLSL 3.30 without the #version line. Throws std::runtime_error with the driver's message when they do
-  /// not compile or link.
-  ShaderProgram(const std::string& vertex, const std::string& fragment);
+  /// not compile or link; `name` tells there whose shaders they are.
+  ShaderProgram(const std::string& vertex, const std::string& fragment, const std::string& name);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

@@ -134,7 +134,7 @@ constexpr float kRim = 16;         // width of what is drawn with the bright edg
 
 }  // namespace
 
-FacePainter::FacePainter() : face_("face"), rim_(shaderText("face.vert"), shaderText("rim.frag")) {
+FacePainter::FacePainter() : face_("face"), rim_(shaderText("face.vert"), shaderText("rim.frag"), "rim") {
   glBindVertexArray(array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
   glEnableVertexAttribArray(0);

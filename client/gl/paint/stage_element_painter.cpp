@@ -65,8 +65,8 @@ std::string elementKindsOfShader() {
 }
 
 StageElementPainter::StageElementPainter()
-    : program_(elementKindsOfShader() + shaderText("element.vert"),
-               elementKindsOfShader() + shaderText("element.frag")) {
+    : program_(elementKindsOfShader() + shaderText("element.vert"), elementKindsOfShader() + shaderText("element.frag"),
+               "element") {
   glBindVertexArray(array_.name());
   for (const GLuint attribute : {0U, 1U}) {
     glEnableVertexAttribArray(attribute);

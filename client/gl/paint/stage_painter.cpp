@@ -20,14 +20,16 @@
 namespace platon {
 namespace {
 
-ShaderProgram programOf(const char* fragments) { return {shaderText("marker.vert"), shaderText(fragments)}; }
+ShaderProgram programOf(const std::string& marker) {
+  return {shaderText("marker.vert"), shaderText(marker + ".frag"), marker};
+}
 
 }  // namespace
 
 // A program for each kind: drivers that draw with the processor execute all branches of a shader.
 MarkerPainter::MarkerPainter()
-    : programs_{programOf("goal.frag"),   programOf("burst.frag"), programOf("start.frag"), programOf("sign.frag"),
-                programOf("shadow.frag"), programOf("edge.frag"),  programOf("arrow.frag")} {}
+    : programs_{programOf("goal"),   programOf("burst"), programOf("start"), programOf("sign"),
+                programOf("shadow"), programOf("edge"),  programOf("arrow")} {}
 
 void MarkerPainter::draw(const StageModel& stage, const FaceView& view, const Marker& marker,
                          const Appearance& appearance) {

@@ -40,7 +40,7 @@ class ShaderProgramTest : public testing::Test {
 
   static std::string errorOf(const std::string& vertex, const std::string& source) {
     try {
-      ShaderProgram program(vertex, source);
+      ShaderProgram program(vertex, source, "test");
       return "";
     } catch (const std::runtime_error& error) {
       return error.what();
@@ -51,7 +51,7 @@ class ShaderProgramTest : public testing::Test {
 };
 
 TEST_F(ShaderProgramTest, UniformsAreSetByName) {
-  ShaderProgram program(kVertex, fragment("uniform float a; uniform int b; uniform vec2 c;", "a, b, c.y"));
+  ShaderProgram program(kVertex, fragment("uniform float a; uniform int b; uniform vec2 c;", "a, b, c.y"), "test");
   program.use();
   program.set("a", 0.2F);
   program.set("b", 1);
@@ -62,8 +62,10 @@ TEST_F(ShaderProgramTest, UniformsAreSetByName) {
 }
 
 TEST_F(ShaderProgramTest, VectorsMatricesAndArraysAreSetByName) {
-  ShaderProgram program(kVertex, fragment("uniform vec3 a; uniform vec4 b; uniform mat4 c; uniform vec2 d[2];",
-                                          "a.z, b.w * c[3][0], d[1].y"));
+  ShaderProgram program(
+      kVertex,
+      fragment("uniform vec3 a; uniform vec4 b; uniform mat4 c; uniform vec2 d[2];", "a.z, b.w * c[3][0], d[1].y"),
+      "test");
   program.use();
   program.set("a", glm::vec3(0, 0, 0.2F));
   program.set("b", glm::vec4(0, 0, 0, 0.5F));
@@ -83,11 +85,11 @@ TEST_F(ShaderProgramTest, AFileHoldsThePartsThatItIncludes) {
 
 TEST_F(ShaderProgramTest, ErrorsHaveTheMessageOfTheDriver) {
   const std::string syntax = errorOf(kVertex, "void main() { nonsense; }");
-  EXPECT_EQ(syntax.find("cannot compile a shader: "), 0U) << syntax;
+  EXPECT_EQ(syntax.find("cannot compile the fragment shader of test: "), 0U) << syntax;
   EXPECT_NE(syntax.find("nonsense"), std::string::npos) << syntax;
   const std::string vertex = "out vec2 tone;\nvoid main() { tone = vec2(0); gl_Position = vec4(0); }\n";
   const std::string link = errorOf(vertex, fragment("in vec3 tone;", "tone"));
-  EXPECT_EQ(link.find("cannot link shaders: "), 0U) << link;
+  EXPECT_EQ(link.find("cannot link the shaders of test: "), 0U) << link;
   takeGlErrors();
 }
 

@@ -149,7 +149,8 @@ TEST(ElementHints, EveryKindButDoorsHasAHint) {
 }
 
 TEST(UntoldElements, ParsingTheTextGivesTheSame) {
-  for (std::uint8_t mask = 0; mask <= UntoldElements().mask; ++mask) {
+  for (std::uint32_t bits = 0; bits <= UntoldElements().mask; ++bits) {
+    const auto mask = static_cast<std::uint8_t>(bits);
     UntoldElements parsed;
     ASSERT_TRUE(parse(textOf({mask}), parsed)) << textOf({mask});
     EXPECT_EQ(parsed, UntoldElements{mask});
