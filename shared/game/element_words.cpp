@@ -39,6 +39,10 @@ std::string hintFor(std::string_view word) {
   return hint + ", or no word";
 }
 
+// Element::number is one byte. A pentagon has the most edges.
+static_assert(std::all_of(kElementKinds.begin(), kElementKinds.end(),
+                          [](ElementKind kind) { return numbersAfter(kind, 5) <= 256; }));
+
 // What the number after the word means.
 std::string_view meaningOf(ElementKind kind) {
   switch (traitsOf(kind).number) {

@@ -45,12 +45,14 @@ TEST(GoldenFilesTest, EveryLevelHasARecordingOfItsCurrentText) {
 }
 
 TEST(GoldenFilesTest, AllKindsOfElementsAreRecorded) {
-  const auto level = levelFrom("tests/determinism/golden/levels/words.level");
-  std::set<ElementKind> kinds;
-  for (const Element& element : level->elements) kinds.insert(element.kind);
-  for (const ElementKind kind : kElementKinds) {
-    EXPECT_TRUE(kinds.contains(kind)) << "add '" << wordOf(kind)
-                                      << "' to words() in tests/determinism/golden/make_levels.py, and run record.sh";
+  for (const std::string name : {"words", "elements"}) {
+    const auto level = levelFrom("tests/determinism/golden/levels/" + name + ".level");
+    std::set<ElementKind> kinds;
+    for (const Element& element : level->elements) kinds.insert(element.kind);
+    for (const ElementKind kind : kElementKinds) {
+      EXPECT_TRUE(kinds.contains(kind)) << "add '" << wordOf(kind) << "' to " << name
+                                        << "() in tests/determinism/golden/make_levels.py, and run record.sh";
+    }
   }
 }
 

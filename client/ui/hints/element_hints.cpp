@@ -38,10 +38,10 @@ std::string_view hintOf(ElementKind kind) {
   return {};
 }
 
-std::uint8_t bit(std::size_t kind) { return static_cast<std::uint8_t>(1U << kind); }
+ElementKindMask bit(std::size_t kind) { return ElementKindMask{1} << kind; }
 
-std::uint8_t kindsOf(std::span<const Element> elements) {
-  std::uint8_t kinds = 0;
+ElementKindMask kindsOf(std::span<const Element> elements) {
+  ElementKindMask kinds = 0;
   for (const Element& element : elements) kinds |= bit(static_cast<std::size_t>(element.kind));
   return kinds;
 }
@@ -67,7 +67,7 @@ std::string textOf(UntoldElements untold) {
 
 bool parse(std::string_view text, UntoldElements& untold) {
   if (text.empty()) return false;
-  std::uint8_t mask = 0;
+  ElementKindMask mask = 0;
   for (std::string_view rest = text == "none" ? "" : text; !rest.empty();) {
     const std::size_t end = std::min(rest.find(','), rest.size());
     const std::optional<ElementKind> kind = elementKindOf(rest.substr(0, end));
@@ -79,7 +79,7 @@ bool parse(std::string_view text, UntoldElements& untold) {
   return true;
 }
 
-std::uint8_t ElementHints::nextOf(std::uint8_t open) const {
+std::uint8_t ElementHints::nextOf(ElementKindMask open) const {
   for (std::size_t step = 1; step <= kNone + std::size_t{1}; ++step) {
     const std::size_t kind = (kind_ + step) % (kNone + std::size_t{1});
     if ((open & bit(kind)) != 0 && !hintOf(kElementKinds[kind]).empty()) return static_cast<std::uint8_t>(kind);
@@ -89,7 +89,7 @@ std::uint8_t ElementHints::nextOf(std::uint8_t open) const {
 
 void ElementHints::observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements,
                            UntoldElements& untold) {
-  const std::uint8_t open = kindsOf(elements) & untold.mask;
+  const ElementKindMask open = kindsOf(elements) & untold.mask;
   if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) {
     kind_ = nextOf(open);
     ticks_ = 0;

@@ -11,10 +11,13 @@
 
 namespace platon {
 
-/// Kinds of elements that a player has not been told about yet: bit K of `mask` is kElementKinds[K].
+/// Kinds of elements: bit K is kElementKinds[K].
+using ElementKindMask = std::uint32_t;
+static_assert(kElementKinds.size() < 32, "a mask has a bit for each kind");
+
+/// Kinds of elements that a player has not been told about yet.
 struct UntoldElements {
-  static_assert(kElementKinds.size() <= 8, "a mask has a bit for each kind");
-  std::uint8_t mask = (1U << kElementKinds.size()) - 1;
+  ElementKindMask mask = (ElementKindMask{1} << kElementKinds.size()) - 1;
 
   friend bool operator==(const UntoldElements&, const UntoldElements&) = default;
 };
@@ -36,10 +39,10 @@ class ElementHints {
 
  private:
   // The next kind of `open` that has a hint, which may be the present one; kNone if there is none.
-  std::uint8_t nextOf(std::uint8_t open) const;
+  std::uint8_t nextOf(ElementKindMask open) const;
 
   std::uint8_t kind_ = kNone;  // index into kElementKinds
-  std::uint8_t met_ = 0;       // bit K: the ball has been near an element of kElementKinds[K]
+  ElementKindMask met_ = 0;    // the ball has been near an element of these
   std::uint32_t ticks_ = 0;    // for which the hint has been on the screen while the ball was played
 
   static constexpr std::uint8_t kNone = kElementKinds.size();

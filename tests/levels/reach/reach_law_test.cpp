@@ -14,6 +14,7 @@
 
 #include "levels/reach/jump_heights.h"
 #include "levels/reach/reach.h"
+#include "levels/solve/level_solver.h"
 #include "tests/levels/reach/explorer.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
@@ -196,6 +197,37 @@ TEST(ReachLawCases, HaveAllWords) {
     EXPECT_TRUE(std::any_of(std::begin(kWords), std::end(kWords),
                             [&](std::string_view word) { return word.substr(0, word.find(' ')) == wordOf(kind); }))
         << "add '" << wordOf(kind) << "' to kWords: what Reach proves of it would not be tried";
+  }
+}
+
+// Rooms that an element parts from side to side or into two floors, with the start in one half and the goal in the
+// other.
+std::vector<std::string> roomsOf(const std::string& word) {
+  std::vector<std::string> rooms;
+  const std::string walls = "-150 -200 150 -200\n-150 -200 -150 240\n150 -200 150 240\n";
+  const auto add = [&](const char* start, const char* goal, const char* ends) {
+    rooms.push_back(text("HEXAHEDRON\n0 %s 0\n0 %s\n480\n%%\n", start, goal) + walls + ends + " " + word +
+                    "\n%\n%\n%\n%\n%\n");
+  };
+  for (const char* const ends : {"0 -200 0 240", "0 240 0 -200"}) add("-100 -180", "100 -180", ends);
+  for (const char* const ends : {"-150 0 150 0", "150 0 -150 0"}) {
+    add("0 20", "0 -150", ends);
+    add("0 20", "0 60", ends);
+  }
+  return rooms;
+}
+
+// A kind that Reach takes for a wall though a player can pass it would be a false proof.
+TEST(ReachLawCases, WhatASearchReachesIsReachableInRoomsOfEveryKind) {
+  for (const ElementKind kind : kElementKinds) {
+    for (std::uint32_t number = 0; number < std::clamp(numbersAfter(kind, 4), 1U, 5U); ++number) {
+      for (const std::string& room :
+           roomsOf(std::string(wordOf(kind)) + (hasNumber(kind) ? " " + std::to_string(number) : ""))) {
+        const auto level = levelOf(room);
+        if (!LevelSolver(level).solve({.states = 3000})) continue;
+        EXPECT_TRUE(Reach(*level, kMaxCrossings).crossingsToGoal()) << room;
+      }
+    }
   }
 }
 

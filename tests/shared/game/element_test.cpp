@@ -37,6 +37,23 @@ TEST(ElementTest, TheDocsDescribeEveryWord) {
   }
 }
 
+TEST(ElementTest, TheDocsTellTheRangeOfEveryNumber) {
+  const std::string format = readText("docs/level_format.md");
+  for (const ElementKind kind : kElementKinds) {
+    if (!hasNumber(kind)) continue;
+    std::size_t row = format.find("\n| number after `");
+    const auto names = [&] {
+      return format.substr(row, format.find("` | ", row) - row + 1).find("`" + std::string(wordOf(kind)) + "`");
+    };
+    while (row != std::string::npos && names() == std::string::npos) row = format.find("\n| number after `", row + 1);
+    ASSERT_NE(row, std::string::npos) << "add a row for the number after '" << wordOf(kind)
+                                      << "' to docs/level_format.md";
+    const bool isFixed = numbersAfter(kind, 3) == numbersAfter(kind, 5);
+    const std::string range = isFixed ? std::to_string(numbersAfter(kind, 3) - 1) : "number of edges of a face − 1";
+    EXPECT_EQ(format.find("` | 0 … " + range + " |", row), format.find("` | ", row)) << wordOf(kind);
+  }
+}
+
 TEST(ElementTest, ANeedIsAKeyAPlateOrACheckpoint) {
   EXPECT_EQ(needOf("key 0"), (ElementWord{ElementKind::kKey, 0}));
   EXPECT_EQ(needOf("plate 31"), (ElementWord{ElementKind::kPlate, 31}));

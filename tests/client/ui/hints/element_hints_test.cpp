@@ -149,8 +149,7 @@ TEST(ElementHints, EveryKindButDoorsHasAHint) {
 }
 
 TEST(UntoldElements, ParsingTheTextGivesTheSame) {
-  for (std::uint32_t bits = 0; bits <= UntoldElements().mask; ++bits) {
-    const auto mask = static_cast<std::uint8_t>(bits);
+  for (ElementKindMask mask = 0; mask <= UntoldElements().mask; ++mask) {
     UntoldElements parsed;
     ASSERT_TRUE(parse(textOf({mask}), parsed)) << textOf({mask});
     EXPECT_EQ(parsed, UntoldElements{mask});
