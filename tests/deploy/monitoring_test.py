@@ -87,7 +87,7 @@ class Monitoring(unittest.TestCase):
 
     def test_every_metric_has_an_alert_or_needs_none(self):
         watched = {name for rule in RULES for name, _ in SELECTOR.findall(rule["expr"])}
-        self.assertEqual(set(METRICS) - watched, QUIET)
+        self.assertEqual(set(METRICS) - watched, QUIET, "give a metric that no alert uses an alert in alerts.yaml, or name it in QUIET")
 
     def test_the_port_of_the_metrics_is_one_that_nobody_else_uses(self):
         default = re.search(r'^place\(metrics "" 127\.0\.0\.1:(\d+)\)$', (ROOT / "deploy/describe/server_config.cmake").read_text(encoding="utf-8"), re.MULTILINE)
@@ -118,7 +118,7 @@ class Monitoring(unittest.TestCase):
     def test_every_metric_is_on_the_dashboard(self):
         shown = " ".join(target["expr"] for panel in PANELS for target in panel["targets"])
         missing = [name for name in METRICS if name not in shown and name != "platon_tick_seconds_count"]
-        self.assertEqual(missing, [])
+        self.assertEqual(missing, [], "add a panel with these to deploy/monitoring/platon.json")
 
     def test_no_panel_covers_another(self):
         cells = [(x, y) for place in (panel["gridPos"] for panel in PANELS) for x in range(place["x"], place["x"] + place["w"]) for y in range(place["y"], place["y"] + place["h"])]
