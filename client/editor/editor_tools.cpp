@@ -14,15 +14,30 @@ namespace {
 
 constexpr double kReach = 9;  // of the pointer, units of the virtual screen
 
+// How many numbers the word may have. One that needs none may become any other.
+int numbersOf(const SegmentWord& word, int edges) {
+  const auto numbers = [edges](ElementKind kind) {
+    return static_cast<int>(numbersAfter(kind, static_cast<std::uint32_t>(edges)));
+  };
+  if (word.kind && hasNumber(*word.kind)) return numbers(*word.kind);
+  int most = 1;
+  for (const ElementKind kind : kElementKinds) most = std::max(most, numbers(kind));
+  return most;
+}
+
+// The word with a number that it may have.
+SegmentWord fitted(SegmentWord word, int edges) {
+  word.number %= numbersOf(word, edges);
+  return word;
+}
+
 // The words follow each other in a ring; 0 is that of a segment without a word.
 SegmentWord wordBeside(const SegmentWord& word, bool back, int edges) {
   const std::size_t count = kElementKinds.size() + 1;
   const std::size_t now = word.kind ? static_cast<std::size_t>(*word.kind) + 1 : 0;
   const std::size_t next = (now + (back ? count - 1 : 1)) % count;
   if (next == 0) return {std::nullopt, word.number};
-  SegmentWord beside{kElementKinds[next - 1], word.number};
-  if (beside.namesEdge()) beside.number %= edges;
-  return beside;
+  return fitted({kElementKinds[next - 1], word.number}, edges);
 }
 
 // The indices of segments change when pieces on other faces are added. Of equal ones, any is as good.
@@ -65,7 +80,7 @@ void EditorTools::move(const PointerEvent& event, const Camera& seen) {
 }
 
 bool EditorTools::press(const PointerEvent& event, const Camera& seen) {
-  digits_ = 0;
+  typing_ = false;
   const FacePlace at{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(seen))};
   const std::optional<PickedSegment> picked = hovered_;
   switch (tool_) {
@@ -110,7 +125,7 @@ bool EditorTools::handle(Key key, bool shift) {
       std::find_if(kEditTools.begin(), kEditTools.end(), [&](const EditToolFacts& facts) { return facts.key == key; });
   if (key >= Key::kDigit0 && key <= Key::kDigit9)
     return typeDigit(static_cast<int>(key) - static_cast<int>(Key::kDigit0));
-  digits_ = 0;
+  typing_ = false;
   if (tool != kEditTools.end()) choose(tool->tool);
   switch (key) {
     case Key::kEscape:
@@ -140,6 +155,7 @@ void EditorTools::letGo() {
   selected_.reset();
   hovered_.reset();
   gesture_.reset();
+  word_ = fitted(word_, mesh().solid().edgesPerFace());
   if (pointer_ && pointer_->face >= mesh().faces()) pointer_.reset();
 }
 
@@ -207,14 +223,14 @@ bool EditorTools::eraseSelected() {
   return edit([&](LevelDocument& document) { document.erase(segment); });
 }
 
-// A second digit belongs to the first one, as far as both are a number of doors.
+// A digit belongs to those typed before it, as far as the word may have the number of all of them.
 bool EditorTools::typeDigit(int digit) {
+  const int edges = mesh().solid().edgesPerFace();
   SegmentWord word = this->word();
-  const int both = word.number * 10 + digit;
-  const bool isSecond = digits_ == 1 && both < static_cast<int>(kMaxDoorNumbers);
-  digits_ = isSecond ? 2 : 1;
-  word.number = isSecond ? both : digit;
-  if (word.namesEdge()) word.number = digit % mesh().solid().edgesPerFace();
+  const int all = word.number * 10 + digit;
+  word.number = typing_ && all < numbersOf(word, edges) ? all : digit;
+  typing_ = true;
+  word = fitted(word, edges);
   word_ = word;
   if (!selected_ || !word.kind || !hasNumber(*word.kind)) return false;
   EditedSegment changed = segments()[*selected_];

@@ -82,7 +82,7 @@ class EditorTools {
   EditedLevel& level_;
   EditTool tool_ = EditTool::kSelect;
   SegmentWord word_;                  // of the next segment
-  int digits_ = 0;                    // of its number that have just been typed
+  bool typing_ = false;               // the digits of its number
   std::size_t grid_ = 2;              // index into kGrids
   std::optional<FacePlace> pointer_;  // on the solid
   bool free_ = false;                 // Alt is held

@@ -14,7 +14,7 @@ CLIENT_FAULTS = [
               "  if (moved_ && !moves_ && glm::distance(plane_.follow(pointer), grabbed_) <= options.reach / 2) return;\n", "",
               "a click on the outer part of a segment cuts it off there",
               "GestureTest.AClickDoesNotMoveTheEnd"),
-    at_length("digits-without-end", "client/editor/editor_tools.cpp", "  digits_ = 0;\n  const FacePlace at", "  const FacePlace at",
+    at_length("digits-without-end", "client/editor/editor_tools.cpp", "  typing_ = false;\n  const FacePlace at", "  const FacePlace at",
               "a digit that is typed after a click is added to the number of before",
               "EditorToolsTest.DigitsSetTheNumberOfTheSelectedSegment"),
     at_length("erasing-forgets-comments", "client/editor/level_document.cpp",

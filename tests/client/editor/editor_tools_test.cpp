@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -11,6 +13,8 @@
 
 namespace platon::editor_tools_test {
 namespace {
+
+Key keyOf(char digit) { return static_cast<Key>(static_cast<int>(Key::kDigit0) + digit - '0'); }
 
 TEST(EditorToolsTest, DrawingAddsASegmentOnTheGrid) {
   TestEditor editor;
@@ -143,6 +147,61 @@ TEST(EditorToolsTest, AnUpHasTheNumberOfAnEdge) {
   editor.key(Key::kDigit7);
   EXPECT_EQ(editor.all()[1].word.number, 3);
   EXPECT_TRUE(editor.level().document().valid());
+}
+
+constexpr int kEdges = 4;  // of a face of the cube
+
+// The kinds with a number, each with its largest one: "up 3" …
+std::vector<ElementWord> largestNumbers() {
+  std::vector<ElementWord> words;
+  for (const ElementKind kind : kElementKinds)
+    if (hasNumber(kind)) words.push_back({kind, static_cast<std::uint8_t>(numbersAfter(kind, kEdges) - 1)});
+  return words;
+}
+
+// Chooses the word of the next segment.
+void choose(TestEditor& editor, const ElementWord& word) {
+  while (editor.status().word.kind != word.kind) editor.key(Key::kX);
+  for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
+}
+
+TEST(EditorToolsTest, AChangeOfTheWordKeepsTheNumberValid) {
+  for (const ElementWord& word : largestNumbers()) {
+    TestEditor editor;
+    editor.key(Key::kD);
+    choose(editor, word);
+    ASSERT_EQ(editor.status().word, (SegmentWord{word.kind, word.number}));
+    for (std::size_t i = 0; i <= kElementKinds.size(); ++i) {
+      editor.key(Key::kX);
+      const double height = 20.0 * static_cast<double>(i);
+      editor.drag({0, {-50, height}}, {0, {50, height}});
+      EXPECT_TRUE(editor.level().document().valid()) << "after " << word.text() << ": " << editor.status().error;
+    }
+    EXPECT_EQ(editor.all().size(), kElementKinds.size() + 2) << "the floor, and a segment with each word or none";
+  }
+}
+
+TEST(EditorToolsTest, EachNumberThatAWordMayHaveIsTypedAndNoOther) {
+  for (const ElementWord& word : largestNumbers()) {
+    TestEditor editor("-50 10 50 10 " + std::string(wordOf(word.kind)) + " 0\n");
+    editor.click({0, {0, 10}});
+    for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
+    EXPECT_EQ(editor.all()[1].word.number, word.number) << word.text();
+    for (const char digit : {'9', '9', '9', '9'}) {
+      editor.key(keyOf(digit));
+      EXPECT_TRUE(editor.level().document().valid()) << word.text() << ": " << editor.status().error;
+    }
+  }
+}
+
+TEST(EditorToolsTest, TheNumberOfTheNextSegmentIsValidOnAnotherSolid) {
+  TestEditor editor;
+  choose(editor, {ElementKind::kUp, 3});
+  ASSERT_EQ(editor.status().word.number, 3);
+  editor.reload("TETRAHEDRON\n0 0 -50 0\n0 50 -50\n480\n%\n%\n%\n%\n");
+  ASSERT_EQ(editor.scene().stage->mesh.faces(), 4) << editor.status().error;
+  EXPECT_EQ(editor.status().word.kind, ElementKind::kUp);
+  EXPECT_LT(editor.status().word.number, 3);
 }
 
 TEST(EditorToolsTest, FlipAndDelete) {
