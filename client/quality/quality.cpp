@@ -43,18 +43,6 @@ Quality QualityChoice::quality() const {
   return quality;
 }
 
-std::string_view allowedValues(QualityPart part) {
-  switch (part) {
-    case QualityPart::kLevel:
-      return "auto, low, medium, high or all";
-    case QualityPart::kScale:
-      return "a number from 0.5 to 1";
-    case QualityPart::kSamples:
-      return "1, 2 or 4";
-  }
-  return {};
-}
-
 std::optional<std::string> textOf(QualityPart part, const QualityChoice& choice) {
   std::ostringstream out;
   switch (part) {

@@ -6,21 +6,24 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace platon {
 
 /// What the picture of the game may cost.
 struct Quality {
-  int samples = 1;   ///< per pixel: 1, 2 or 4, limited by the driver
-  double scale = 1;  ///< of the picture of the scene, kMinScale … 1; texts and overlays keep the size of the picture
-  bool particles = true;  ///< trails, dust and motes in the sky
-  bool fine = true;       ///< balls are rounder and shadows smoother
+  int samples;     ///< per pixel: 1, 2 or 4, limited by the driver
+  double scale;    ///< of the picture of the scene, kMinScale … 1; texts and overlays keep the size of the picture
+  bool particles;  ///< trails, dust and motes in the sky
+  bool fine;       ///< balls are rounder and shadows smoother
 
   static constexpr double kMinScale = 0.5;
   static constexpr int kMaxSamples = 4;
 
   friend bool operator==(const Quality&, const Quality&) = default;
 };
+static_assert(std::is_trivially_default_constructible_v<Quality>,
+              "a member has no default, so that a row of kQualities without it does not compile");
 
 /// The qualities that have a name, from the cheapest to everything on.
 enum class QualityLevel : std::uint8_t { kLow, kMedium, kHigh, kAll };
@@ -62,8 +65,25 @@ struct QualityChoice {
 /// A part of the choice; each is a line of the settings file.
 enum class QualityPart : std::uint8_t { kLevel, kScale, kSamples };
 
+inline constexpr std::array<QualityPart, 3> kQualityParts{QualityPart::kLevel, QualityPart::kScale,
+                                                          QualityPart::kSamples};
+
 /// What its value must be, as it follows "must be".
-std::string_view allowedValues(QualityPart part);
+constexpr std::string_view allowedValues(QualityPart part) {
+  switch (part) {
+    case QualityPart::kLevel:
+      return "auto, low, medium, high or all";
+    case QualityPart::kScale:
+      return "a number from 0.5 to 1";
+    case QualityPart::kSamples:
+      return "1, 2 or 4";
+  }
+  return {};
+}
+// Only a value that is no part has a null text.
+static_assert(allowedValues(static_cast<QualityPart>(kQualityParts.size())).data() == nullptr,
+              "kQualityParts lacks a part");
+
 /// Its value in the file; nothing if a scale or samples are not set.
 std::optional<std::string> textOf(QualityPart part, const QualityChoice& choice);
 /// Stores a valid value of the file and returns true; otherwise it changes nothing and returns false.

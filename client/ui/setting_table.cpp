@@ -259,6 +259,15 @@ static_assert(std::all_of(kSettings.begin(), kSettings.end(),
                           [](const Setting& setting) { return setting.group == Group::kHidden || hasItem(setting); }),
               "a setting of the menu has a label, and its number has steps or choices");
 
+constexpr bool hasOneRow(QualityPart part) {
+  return std::count_if(kSettings.begin(), kSettings.end(), [part](const Setting& setting) {
+           const auto* const shown = std::get_if<QualityPart>(&setting.value);
+           return shown && *shown == part;
+         }) == 1;
+}
+static_assert(std::all_of(kQualityParts.begin(), kQualityParts.end(), hasOneRow),
+              "each part of the quality has one row");
+
 std::optional<double> numberOf(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

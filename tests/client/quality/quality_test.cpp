@@ -1,13 +1,30 @@
 #include "client/quality/quality.h"
 
-#include <array>
+#include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/members.h"
+
 namespace platon::quality_test {
 namespace {
+
+PLATON_MEMBERS(Quality, samples, scale, particles, fine)
+PLATON_MEMBERS(QualityChoice, level, scale, samples)
+
+// Whether no member of the quality is less than that of the other one.
+template <class... Members>
+bool drawsAtLeast(const std::tuple<Members...>& more, const std::tuple<Members...>& less) {
+  const auto compare = [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    return ((std::get<kIndex>(more) >= std::get<kIndex>(less)) && ...);
+  };
+  return compare(std::index_sequence_for<Members...>());
+}
 
 TEST(Quality, EachLevelIsAtItsPlaceAndHasItsName) {
   for (std::size_t i = 0; i < kQualities.size(); ++i) {
@@ -23,10 +40,7 @@ TEST(Quality, EachLevelDrawsAtLeastWhatTheOneBeforeDraws) {
   for (std::size_t i = 1; i < kQualities.size(); ++i) {
     const Quality& less = kQualities[i - 1].quality;
     const Quality& more = kQualities[i].quality;
-    EXPECT_LE(less.samples, more.samples);
-    EXPECT_LE(less.scale, more.scale);
-    EXPECT_LE(less.particles, more.particles);
-    EXPECT_LE(less.fine, more.fine);
+    EXPECT_TRUE(drawsAtLeast(membersOf(more), membersOf(less))) << kQualities[i].name;
     EXPECT_NE(less, more);
   }
 }
@@ -40,14 +54,36 @@ TEST(Quality, EveryLevelIsDrawnAtThreeQuartersOfTheSizeOrMore) {
 
 TEST(Quality, TheLastLevelHasEverythingOn) { EXPECT_EQ(kBestQuality, (Quality{4, 1, true, true})); }
 
-constexpr std::array kParts{QualityPart::kLevel, QualityPart::kScale, QualityPart::kSamples};
+// The choice after one part got a value that is not its default.
+QualityChoice chosen(QualityPart part) {
+  for (const char* value : {"low", "0.75", "2"}) {
+    QualityChoice choice;
+    if (parse(value, part, choice)) return choice;
+  }
+  ADD_FAILURE() << "a part that must be " << allowedValues(part) << " takes none of the values of this test: add one";
+  return {};
+}
+
+TEST(QualityChoice, EachPartIsAMemberAndChangesTheQuality) {
+  std::set<std::size_t> all;
+  for (const QualityPart part : kQualityParts) {
+    const QualityChoice choice = chosen(part);
+    const std::set<std::size_t> members = differing(membersOf(choice), membersOf(QualityChoice()));
+    EXPECT_EQ(members.size(), 1U) << allowedValues(part);
+    all.insert(members.begin(), members.end());
+    EXPECT_NE(choice.quality(), QualityChoice().quality()) << allowedValues(part);
+    EXPECT_NE(allowedValues(part), "");
+  }
+  EXPECT_EQ(all.size(), kQualityParts.size()) << "two parts are the same member";
+  EXPECT_EQ(all.size(), std::tuple_size_v<decltype(membersOf(QualityChoice()))>) << "a member is no part";
+}
 
 TEST(QualityChoice, ParsingTheTextGivesTheSameChoice) {
   for (const QualityChoice& choice :
        {QualityChoice(), QualityChoice{QualityLevel::kLow, {}, {}}, QualityChoice{QualityLevel::kAll, 0.65, 2},
         QualityChoice{{}, 0.5, 4}, QualityChoice{QualityLevel::kMedium, 1, 1}}) {
     QualityChoice parsed;
-    for (const QualityPart part : kParts) {
+    for (const QualityPart part : kQualityParts) {
       const std::optional<std::string> text = textOf(part, choice);
       EXPECT_TRUE(!text || parse(*text, part, parsed)) << *text;
     }
