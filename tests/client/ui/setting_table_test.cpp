@@ -8,36 +8,33 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/files.h"
+#include "tests/support/members.h"
 
 namespace platon::setting_table_test {
 namespace {
 
-// Every value of the settings. Does not compile while one has no name here.
-auto membersOf(const Settings& settings) {
-  const auto& [comfort, controls, bindings, toggled, zoom, uiScale, quality, fullscreen, vsync, frameCap, gameSpeed,
-               netGraph, chat, firstKeys, untold, volume, effectsVolume, musicVolume, timer, ghosts, ball, flashes,
-               highContrast, faceNumbers, listUrl] = settings;
-  const auto& [turnRate, instantCut, reducedMotion, view] = comfort;
-  const auto& [slow, look] = toggled;
-  const auto& [level, scale, samples] = quality;
-  const auto& [colour, pattern] = ball;
-  return std::make_tuple(turnRate, instantCut, reducedMotion, view, controls, bindings, slow, look, zoom, uiScale,
-                         level, scale, samples, fullscreen, vsync, frameCap, gameSpeed, netGraph, chat, firstKeys,
-                         untold, volume, effectsVolume, musicVolume, timer, ghosts, colour, pattern, flashes,
-                         highContrast, faceNumbers, listUrl);
-}
-using Members = decltype(membersOf(Settings()));
+PLATON_MEMBERS(Settings, comfort, controls, bindings, toggled, zoom, uiScale, quality, fullscreen, vsync, frameCap,
+               gameSpeed, netGraph, chat, firstKeys, untold, volume, effectsVolume, musicVolume, timer, ghosts, ball,
+               flashes, highContrast, faceNumbers, listUrl)
+PLATON_MEMBERS(CameraComfort, turnRate, instantCut, reducedMotion, view)
+PLATON_MEMBERS(ToggledControls, slow, look)
+PLATON_MEMBERS(QualityChoice, level, scale, samples)
+PLATON_MEMBERS(BallChoice, colour, pattern)
 
-// The indices of the members that differ from the default.
+// The values of a struct whose members have names above, and of the structs in it; another value as it is.
+template <class Value>
+auto valuesOf(const Value& value) {
+  if constexpr (requires { membersOf(value); }) {
+    return std::apply([](const auto&... members) { return std::tuple_cat(valuesOf(members)...); }, membersOf(value));
+  } else {
+    return std::make_tuple(value);
+  }
+}
+using Values = decltype(valuesOf(Settings()));
+
+// The indices of the values that differ from the default.
 std::set<std::size_t> changedIn(const Settings& settings) {
-  std::set<std::size_t> changed;
-  const Members now = membersOf(settings);
-  const Members before = membersOf(Settings());
-  const auto compare = [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-    ((std::get<kIndex>(now) == std::get<kIndex>(before) ? void() : void(changed.insert(kIndex))), ...);
-  };
-  compare(std::make_index_sequence<std::tuple_size_v<Members>>());
-  return changed;
+  return differing(valuesOf(settings), valuesOf(Settings()));
 }
 
 // The settings after one line, which gives this setting a value that is not its default.
@@ -63,10 +60,11 @@ TEST(SettingTable, EachMemberHasASettingAndEachSettingAMember) {
     const std::set<std::size_t> members = changedIn(changed(name));
     EXPECT_EQ(members.size(), 1U) << name;
     for (const std::size_t member : members) {
-      EXPECT_TRUE(all.insert(member).second) << name << " changes what another setting changes";
+      EXPECT_TRUE(all.insert(member).second)
+          << name << " changes what another setting changes: a struct of both needs PLATON_MEMBERS";
     }
   }
-  EXPECT_EQ(all.size(), std::tuple_size_v<Members>) << "a member of Settings has no setting in the table";
+  EXPECT_EQ(all.size(), std::tuple_size_v<Values>) << "a member of Settings has no setting in the table";
 }
 
 TEST(SettingTable, WhatIsWrittenIsReadAsEqual) {
@@ -74,7 +72,7 @@ TEST(SettingTable, WhatIsWrittenIsReadAsEqual) {
     const Settings settings = changed(name);
     const SettingsResult again = parseSettings(settings.text());
     EXPECT_EQ(again.errors, std::vector<std::string>()) << name;
-    EXPECT_TRUE(membersOf(again.settings) == membersOf(settings)) << settings.text();
+    EXPECT_TRUE(valuesOf(again.settings) == valuesOf(settings)) << settings.text();
   }
 }
 
