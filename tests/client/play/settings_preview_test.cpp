@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "client/gl/gl_context.h"
+#include "client/ui/setting_table.h"
 
 namespace platon::settings_preview_test {
 namespace {
@@ -51,9 +55,7 @@ TEST(SettingsPreview, RunsAtTheGameSpeedOfTheSettings) {
 }
 
 // The picture soon after a crossing, which the edge still tells.
-Image pictureWith(const std::function<void(Settings&)>& change) {
-  Settings settings;
-  change(settings);
+Image pictureWith(const Settings& settings) {
   GameView view(640, 360);
   SettingsPreview preview;
   for (int frame = 0; frame < 24; ++frame) {
@@ -63,25 +65,47 @@ Image pictureWith(const std::function<void(Settings&)>& change) {
   return view.read();
 }
 
-TEST(SettingsPreview, ThePictureShowsWhatTheSettingsSay) {
+// Gives a setting a value that is not its default.
+struct OtherValue {
+  const Setting& setting;
+  Settings& settings;
+
+  void operator()(const SettingFlag& flag) const { flag.member.in(settings) = !flag.member.of(settings); }
+  void operator()(const SettingNumber& number) const {
+    number.member.in(settings) = number.member.of(settings) == number.max ? number.min : number.max;
+  }
+  void operator()(const SettingWords& words) const { words.choose(settings, words.words.size() - 1); }
+  void operator()(QualityPart) const { read({"low", "0.5", "2"}); }
+  void operator()(SettingMember<UntoldElements>) const { read({"none"}); }
+  void operator()(SettingMember<std::string>) const { read({"https://example.org/list"}); }
+
+  void read(std::initializer_list<std::string_view> values) const {
+    EXPECT_TRUE(std::any_of(values.begin(), values.end(), [this](std::string_view value) {
+      return readSetting(setting, value, settings);
+    })) << setting.name;
+  }
+};
+
+Settings changed(const Setting& setting, Settings settings = {}) {
+  std::visit(OtherValue{setting, settings}, setting.value);
+  return settings;
+}
+
+TEST(SettingsPreview, ThePictureDependsOnTheSettingsThatAreJudgedInMotionAndOnNoOther) {
   const Offscreen offscreen;
-  const Image plain = pictureWith([](Settings&) {});
-  EXPECT_EQ(pictureWith([](Settings&) {}), plain);
-  const std::vector<std::function<void(Settings&)>> changes{
-      [](Settings& settings) { settings.zoom = 1.5; },
-      [](Settings& settings) { settings.uiScale = 1.75; },
-      [](Settings& settings) { settings.faceNumbers = true; },
-      [](Settings& settings) { settings.ball.colour = 3; },
-      [](Settings& settings) { settings.comfort.view = CameraView::kFace; },
-      [](Settings& settings) { settings.comfort.turnRate = 2; },
-      [](Settings& settings) { settings.comfort.instantCut = true; },
-      [](Settings& settings) { settings.comfort.reducedMotion = true; },
-      [](Settings& settings) { settings.flashes = false; },
-      [](Settings& settings) { settings.highContrast = true; },
-      [](Settings& settings) { settings.timer = false; },
-      [](Settings& settings) { settings.netGraph = true; },
-      [](Settings& settings) { settings.gameSpeed = 50; }};
-  for (std::size_t i = 0; i < changes.size(); ++i) EXPECT_NE(pictureWith(changes[i]), plain) << i;
+  const Image plain = pictureWith({});
+  EXPECT_TRUE(pictureWith({}) == plain);
+  Settings others;
+  for (const Setting& setting : settingTable()) {
+    if (setting.inMotion)
+      EXPECT_TRUE(pictureWith(changed(setting)) != plain) << setting.name << " is inMotion, but changes no picture";
+    else
+      others = changed(setting, others);
+  }
+  if (pictureWith(others) == plain) return;
+  ADD_FAILURE() << "a setting that is not inMotion changes the picture:";
+  for (const Setting& setting : settingTable())
+    EXPECT_TRUE(setting.inMotion || pictureWith(changed(setting)) == plain) << setting.name;
 }
 
 }  // namespace
