@@ -192,15 +192,18 @@ TEST(ElementRulesTest, EveryKindBlocksWhomItsTraitsName) {
         }
       }
     }
+    SCOPED_TRACE("Rules::pierce for '" + word +
+                 "', with the doors open and closed, the up of the player towards each side, and the player on both "
+                 "sides of the segment; if the kind depends on more, vary it here");
     switch (traitsOf(kind).blocking) {
       case ElementBlocking::kNobody:
-        EXPECT_EQ(answers, std::set{true}) << word;
+        EXPECT_EQ(answers, std::set{true});
         break;
       case ElementBlocking::kSome:
-        EXPECT_EQ(answers, (std::set{true, false})) << word;
+        EXPECT_EQ(answers, (std::set{true, false}));
         break;
       case ElementBlocking::kEverybody:
-        EXPECT_EQ(answers, std::set{false}) << word;
+        EXPECT_EQ(answers, std::set{false});
     }
   }
 }
