@@ -37,6 +37,54 @@ constexpr std::array<std::string_view, 5> kSeeds = {
     "99 9 "
     "up 2\n"};
 
+// What the mutator puts into a level.
+constexpr std::array<std::string_view, 32> kPieces = {"%",
+                                                      "\n",
+                                                      "\r",
+                                                      " ",
+                                                      "\t",
+                                                      "#",
+                                                      "-",
+                                                      ".",
+                                                      "0",
+                                                      "99999",
+                                                      "240",
+                                                      "-240",
+                                                      "0.0001",
+                                                      "1e9",
+                                                      "%\n",
+                                                      "0 0 0 0\n",
+                                                      "ICOSAHEDRON",
+                                                      "# title: x\n",
+                                                      "-500 0 500 0\n",
+                                                      "18446744073709551616",
+                                                      "\xc3\xa9",
+                                                      " oneway\n",
+                                                      " up 2",
+                                                      " hazard",
+                                                      " checkpoint",
+                                                      " key 31",
+                                                      " door 0",
+                                                      " plate 1",
+                                                      "# players: 9\n",
+                                                      "# crossings: 0\n",
+                                                      "# needs: key 1, plate 31, checkpoint\n",
+                                                      "\xef\xbb\xbf"};
+
+template <class Texts>
+bool hasWord(const Texts& texts, ElementKind kind) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](std::string_view text) { return text.find(wordOf(kind)) != std::string_view::npos; });
+}
+
+// A mutator does not invent a word.
+TEST(LevelFuzzTest, SeedsAndPiecesHaveTheWordsOfAllKinds) {
+  for (const ElementKind kind : kElementKinds) {
+    EXPECT_TRUE(hasWord(kSeeds, kind)) << "add a segment with '" << wordOf(kind) << "' to kSeeds";
+    EXPECT_TRUE(hasWord(kPieces, kind)) << "add '" << wordOf(kind) << "' to kPieces";
+  }
+}
+
 TEST(ElementLevelTest, HasAllKindsOfElements) {
   std::set<ElementKind> kinds;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -61,40 +109,8 @@ class Mutator {
   std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
 
   std::string piece() {
-    static constexpr std::array<std::string_view, 32> pieces = {"%",
-                                                                "\n",
-                                                                "\r",
-                                                                " ",
-                                                                "\t",
-                                                                "#",
-                                                                "-",
-                                                                ".",
-                                                                "0",
-                                                                "99999",
-                                                                "240",
-                                                                "-240",
-                                                                "0.0001",
-                                                                "1e9",
-                                                                "%\n",
-                                                                "0 0 0 0\n",
-                                                                "ICOSAHEDRON",
-                                                                "# title: x\n",
-                                                                "-500 0 500 0\n",
-                                                                "18446744073709551616",
-                                                                "\xc3\xa9",
-                                                                " oneway\n",
-                                                                " up 2",
-                                                                " hazard",
-                                                                " checkpoint",
-                                                                " key 31",
-                                                                " door 0",
-                                                                " plate 1",
-                                                                "# players: 9\n",
-                                                                "# crossings: 0\n",
-                                                                "# needs: key 1, plate 31, checkpoint\n",
-                                                                "\xef\xbb\xbf"};
     if (below(4) == 0) return std::string(1, static_cast<char>(below(256)));
-    return std::string(pieces[below(pieces.size())]);
+    return std::string(kPieces[below(kPieces.size())]);
   }
 
   void change(std::string& text) {
