@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "platon/game/level.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "tests/fuzz/byte_source.h"
@@ -56,6 +57,19 @@ std::set<std::size_t> kindsInCorpus(std::size_t decoder, std::optional<Message> 
 TEST(ProtocolCorpus, HasEachMessage) {
   EXPECT_EQ(kindsInCorpus(0, &decodeToServer).size(), std::variant_size_v<ToServer>);
   EXPECT_EQ(kindsInCorpus(1, &decodeToClient).size(), std::variant_size_v<ToClient>);
+}
+
+// Nor does it invent the word of an element.
+TEST(LevelCorpus, HasEachElement) {
+  const std::string folder = "tests/fuzz/corpus/level";
+  std::set<ElementKind> kinds;
+  for (const std::string& file : filesIn(folder, "")) {
+    const LevelResult result = loadLevel(readText(file));
+    if (!result.level) continue;
+    for (const Element& element : result.level->elements) kinds.insert(element.kind);
+  }
+  for (const ElementKind kind : kElementKinds)
+    EXPECT_TRUE(kinds.contains(kind)) << "add a valid level with '" << wordOf(kind) << "' to " << folder;
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
