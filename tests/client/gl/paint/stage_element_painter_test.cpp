@@ -97,12 +97,17 @@ TEST(StageElementPainterTest, TheShaderHasACaseForEveryKind) {
         << wordOf(kind);
 }
 
-TEST_F(ElementPictureTest, EveryKindDiffersFromAWallAndFromEveryOtherWithoutColour) {
-  std::vector<Image> images{draw(sceneWith("-120 0 120 0\n"))};
-  for (const std::string& word : kWords) images.push_back(draw(sceneWith("-120 0 120 0 " + word + "\n")));
+TEST_F(ElementPictureTest, EveryKindIsSeenAndDiffersFromAWallAndFromEveryOtherWithoutColour) {
+  std::vector<std::string> names{"no segment", "a wall"};
+  std::vector<Image> images{draw(sceneWith("")), draw(sceneWith("-120 0 120 0\n"))};
+  for (const std::string& word : kWords) {
+    names.push_back(word);
+    images.push_back(draw(sceneWith("-120 0 120 0 " + word + "\n")));
+  }
   for (std::size_t i = 0; i < images.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_GT(differingPixels(images[i], images[j]), 100) << kWords[i - 1] << " and " << j;
+      EXPECT_GT(differingPixels(images[i], images[j]), 100)
+          << names[i] << " and " << names[j] << " look alike; client/gl/shaders/element.frag draws elements";
   }
 }
 
@@ -112,7 +117,9 @@ TEST_F(ElementPictureTest, EveryStateIsSeenWithoutColour) {
     const Image before = draw(scene);
     const Image after = draw(inOtherState(scene));
     const bool changes = word != "oneway" && word != "hazard";
-    EXPECT_EQ(differingPixels(before, after) > 50, changes) << word;
+    EXPECT_EQ(differingPixels(before, after) > 50, changes)
+        << "whether the pictures of '" << word << "' with ElementStates::active 1 and 0 differ; it has "
+        << (changes ? "two states" : "one state") << ", as this test says";
     EXPECT_EQ(draw(scene), before) << word << " in its first state again";
   }
 }
@@ -128,9 +135,10 @@ TEST_F(ElementPictureTest, ATakenKeyIsGone) {
 }
 
 TEST_F(ElementPictureTest, NumbersDiffer) {
-  for (const char* word : {"key ", "door ", "plate "}) {
-    const std::string ends = "-120 0 120 0 ";
-    EXPECT_NE(draw(sceneWith(ends + word + "1\n")), draw(sceneWith(ends + word + "7\n"))) << word;
+  for (const ElementKind kind : kElementKinds) {
+    if (!hasNumber(kind) || traitsOf(kind).number == ElementNumber::kEdge) continue;  // arrows show the edge
+    const std::string segment = "-120 0 120 0 " + std::string(wordOf(kind));
+    EXPECT_NE(draw(sceneWith(segment + " 1\n")), draw(sceneWith(segment + " 7\n"))) << wordOf(kind);
   }
 }
 
