@@ -19,8 +19,9 @@ struct ProgramFacts {
   std::uint64_t unwrittenBans = 0;  ///< how often the file could not be written
 };
 
-/// All metrics: one row each. A row is described in docs/hosting.md, too, and shown by the dashboard or an alert in
-/// deploy/monitoring; server_metrics_test and the test `deploy_monitoring` name those that lack.
+/// All metrics: one row each. A row is described in docs/hosting.md, too, shown by the dashboard in deploy/monitoring,
+/// and watched by an alert there or by none on purpose. server_metrics_test and the test `deploy_monitoring` name those
+/// that lack.
 std::vector<Metric> metricsOf(const DedicatedServer& server, const ProgramFacts& facts);
 
 }  // namespace platon
