@@ -165,19 +165,25 @@ void choose(TestEditor& editor, const ElementWord& word) {
   for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
 }
 
+// Draws a segment with each word that follows this one, and without a word.
+void expectValidAfter(const ElementWord& word, bool back) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  choose(editor, word);
+  ASSERT_EQ(editor.status().word, (SegmentWord{word.kind, word.number}));
+  for (std::size_t i = 0; i <= kElementKinds.size(); ++i) {
+    editor.key(Key::kX, false, back);
+    const double height = 20.0 * static_cast<double>(i);
+    editor.drag({0, {-50, height}}, {0, {50, height}});
+    EXPECT_TRUE(editor.level().document().valid()) << "after " << word.text() << ": " << editor.status().error;
+  }
+  EXPECT_EQ(editor.all().size(), kElementKinds.size() + 2) << "the floor, and a segment with each word or none";
+}
+
 TEST(EditorToolsTest, AChangeOfTheWordKeepsTheNumberValid) {
   for (const ElementWord& word : largestNumbers()) {
-    TestEditor editor;
-    editor.key(Key::kD);
-    choose(editor, word);
-    ASSERT_EQ(editor.status().word, (SegmentWord{word.kind, word.number}));
-    for (std::size_t i = 0; i <= kElementKinds.size(); ++i) {
-      editor.key(Key::kX);
-      const double height = 20.0 * static_cast<double>(i);
-      editor.drag({0, {-50, height}}, {0, {50, height}});
-      EXPECT_TRUE(editor.level().document().valid()) << "after " << word.text() << ": " << editor.status().error;
-    }
-    EXPECT_EQ(editor.all().size(), kElementKinds.size() + 2) << "the floor, and a segment with each word or none";
+    expectValidAfter(word, false);
+    expectValidAfter(word, true);
   }
 }
 
@@ -187,7 +193,7 @@ TEST(EditorToolsTest, EachNumberThatAWordMayHaveIsTypedAndNoOther) {
     editor.click({0, {0, 10}});
     for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
     EXPECT_EQ(editor.all()[1].word.number, word.number) << word.text();
-    for (const char digit : {'9', '9', '9', '9'}) {
+    for (const char digit : std::string("9876543210123456789")) {
       editor.key(keyOf(digit));
       EXPECT_TRUE(editor.level().document().valid()) << word.text() << ": " << editor.status().error;
     }
