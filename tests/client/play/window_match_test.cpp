@@ -206,22 +206,24 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
   const std::string address = "127.0.0.1:" + std::to_string(server.address().port);
   ClientOptions named;
   named.name = "Grace";
-  LiveMatch grace(named, {.server = server.address()}, steadyClock());
+  std::optional<LiveMatch> grace;
   const auto meanwhile = [&](bool done) {
-    grace.update(false, [](const Game&, std::uint32_t) { return Input{}; });
+    grace->update(false, [](const Game&, std::uint32_t) { return Input{}; });
     return done;
   };
-  play({{[] {}, [&] { return meanwhile(shows("Join a server") && server.players() == 1); }},
+  // Joins when the window is open: until then nobody would update her, and her server might give her up.
+  play({{[&] { grace.emplace(named, MatchChoice{.server = server.address()}, steadyClock()); },
+         [&] { return meanwhile(shows("Join a server") && server.players() == 1); }},
         {[this] { clickOn("Join a server"); }, [&] { return meanwhile(shows("Address")); }},
         {[&] { xdotool("type " + address); }, [&] { return meanwhile(true); }},
         {[this] { clickOn("Join"); }, [&] { return meanwhile(server.players() == 2 && isOnGround() && inGame()); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Send")); }},
         {[] { xdotool("type hello"); }, [&] { return meanwhile(true); }},
-        {[] { xdotool("key Return"); }, [&] { return meanwhile(hears(grace, ": hello") && inGame()); }},
+        {[] { xdotool("key Return"); }, [&] { return meanwhile(hears(*grace, ": hello") && inGame()); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Wave")); }},
-        {[this] { clickOn("Wave"); }, [&] { return meanwhile(hears(grace, " waves")); }},
+        {[this] { clickOn("Wave"); }, [&] { return meanwhile(hears(*grace, " waves")); }},
         {[&] {
-           EXPECT_TRUE(grace.say({"well done", 0}));
+           EXPECT_TRUE(grace->say({"well done", 0}));
          },
          [&] { return meanwhile(hears(*match(), "Grace: well done")); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(notes("Grace: well done")); }},
