@@ -5,10 +5,12 @@ include(GNUInstallDirs)
 find_package(Python3 COMPONENTS Interpreter)
 
 set(PLATON_GAME_FOLDER ${CMAKE_INSTALL_BINDIR} CACHE STRING "Folder for the client")
+set(PLATON_DOC_FOLDER ${CMAKE_INSTALL_DOCDIR} CACHE STRING "Folder for the pages")
 set(PLATON_UNIT_FOLDER lib/systemd/system CACHE STRING "Folder for the units of systemd")
 set(describe ${CMAKE_CURRENT_LIST_DIR}/describe)
 set(described ${PROJECT_BINARY_DIR}/described)
 set(described_files)
+cmake_path(ABSOLUTE_PATH PLATON_DOC_FOLDER BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX} OUTPUT_VARIABLE installed_pages)
 
 # platon_install_program(target COMPONENT component SECTION man_section [FOLDER folder])
 # Installs a program, its man page and its completions, if this build has the program.
@@ -29,6 +31,7 @@ function(platon_install_program target)
   file(GLOB scripts CONFIGURE_DEPENDS ${describe}/*.py)
   add_custom_command(OUTPUT ${page} ${completions}
     COMMAND ${Python3_EXECUTABLE} -B ${describe}/describe.py $<TARGET_FILE:${target}> ${arg_SECTION} ${described}
+            ${installed_pages}/docs
     DEPENDS ${target} ${scripts} VERBATIM)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${arg_SECTION} COMPONENT ${arg_COMPONENT})
   install(FILES ${described}/${target}.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
@@ -53,7 +56,6 @@ install(DIRECTORY ${levels}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/platon/levels 
 
 # The pages and what they link to, in folders as here, so that the links lead there. Links to files would be installed as
 # links.
-set(PLATON_DOC_FOLDER ${CMAKE_INSTALL_DOCDIR} CACHE STRING "Folder for the pages")
 file(REAL_PATH ${PROJECT_SOURCE_DIR}/docs pages)
 cmake_path(GET pages PARENT_PATH tree)
 install(DIRECTORY ${pages} DESTINATION ${PLATON_DOC_FOLDER} COMPONENT data

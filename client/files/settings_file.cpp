@@ -21,7 +21,6 @@ std::string brokenOf(const std::string& path) { return path + ".broken"; }
 // Each unknown line has an error, too.
 std::size_t invalidLines(const SettingsResult& result) { return result.errors.size() - result.unknownLines.size(); }
 
-// One thread at a time calls it.
 std::string writeSettings(const std::string& path, std::string_view settings) {
   const auto replace = [&](const std::string& kept) -> std::variant<std::string, ParseError> {
     const SettingsResult before = parseSettings(kept);

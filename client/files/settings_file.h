@@ -11,10 +11,10 @@
 
 namespace platon {
 
-/// The KeptFile `settings` with the player's settings between games. A save writes the settings, followed by the lines
-/// of unknown settings that the file holds then. A file with invalid lines is copied to `settings.broken` before it is
-/// replaced, and stays if that fails. The copy replaces the one of an earlier file. An error is reported on standard
-/// error.
+/// Keeps the player's settings between games in the KeptFile `settings`. A save writes the settings, followed by the
+/// lines of unknown settings that the file holds then. A file with invalid lines is copied to `settings.broken` before
+/// it is replaced, and stays if that fails. The copy replaces the one of an earlier file. An error is reported on
+/// standard error.
 class SettingsFile {
  public:
   /// Uses the file in `folder`. With an empty `folder` nothing is loaded or saved.

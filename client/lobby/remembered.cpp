@@ -1,7 +1,6 @@
 #include "client/lobby/remembered.h"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <utility>

@@ -5,7 +5,7 @@ import re
 TITLES = {"Positionals": "ARGUMENTS"}
 EXIT_STATUS = (
     ("0", "Done."),
-    ("1", "Failed, such as on a port in use, or a check did not hold."),
+    ("1", "Failed, or a check did not hold. An address that is in use is a failure of the server."),
     ("2", "Wrong usage or configuration."),
     ("3", "An invalid level, recording or scene."),
 )
@@ -13,8 +13,8 @@ EXIT_STATUS = (
 FILES = {
     "platon-client": (
         ("~/.config/platon", "Settings and keys, in $XDG_CONFIG_HOME if that is set."),
-        ("~/.local/share/platon", "Runs, ghosts, best times, reached levels, known servers and reports of desyncs, in "
-                                  "$XDG_DATA_HOME if that is set."),
+        ("~/.local/share/platon", "Runs, ghosts, best times, reached levels, known servers, secrets of sessions, the key of "
+                                  "hosted games and reports of desyncs, in $XDG_DATA_HOME if that is set."),
         ("~/.local/state/platon", "The servers joined last, in $XDG_STATE_HOME if that is set."),
         ("~/.cache/platon", "Levels that servers have sent and levels of races, in $XDG_CACHE_HOME if that is set."),
     ),
@@ -26,7 +26,6 @@ FILES = {
 }
 PROGRAMS = {"platon-client": "6", "platon-server": "8", "platon-level": "1", "platon-bot": "1", "platon-sim": "1",
             "platon-bench": "1"}
-PAGES = "/usr/share/doc/platon-data/docs"
 MANUALS = {"1": "Tools of Platon", "6": "Games", "8": "System administration"}
 
 
@@ -63,13 +62,13 @@ def _terms(title, rows):
     return f".SH {title}\n" + "".join(f".TP\n.B {escape(term)}\n{escape(text)}\n" for term, text in rows)
 
 
-def _see_also(name):
+def _see_also(name, pages):
     others = [f".BR {escape(other)} ({section})" for other, section in PROGRAMS.items() if other != name]
-    return ".SH SEE ALSO\n" + ",\n".join(others) + f"\n.PP\nThe pages in\n.BR {PAGES} .\n"
+    return ".SH SEE ALSO\n" + ",\n".join(others) + f"\n.PP\nThe pages in\n.BR {escape(pages)} .\n"
 
 
-def man_page(page, section, version):
-    """The text of the page."""
+def man_page(page, section, version, pages):
+    """The text of the page; `pages` is the folder of the docs."""
     summary = page.summary.partition(". ")[0].rstrip(".")
     usage = page.usage or f"{page.name} COMMAND [OPTIONS]"
     parts = [
@@ -79,6 +78,6 @@ def man_page(page, section, version):
         _body(page),
         _terms("EXIT STATUS", EXIT_STATUS),
         _terms("FILES", FILES[page.name]) if page.name in FILES else "",
-        _see_also(page.name),
+        _see_also(page.name, pages),
     ]
     return "".join(parts)

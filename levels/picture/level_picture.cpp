@@ -12,8 +12,8 @@
 
 #include "levels/drawing/solid_frame.h"
 #include "levels/picture/element_painter.h"
-#include "levels/picture/face_picture.h"
 #include "levels/picture/level_drawing.h"
+#include "levels/picture/level_face_painter.h"
 #include "levels/picture/solid_view.h"
 
 namespace platon {
@@ -140,13 +140,13 @@ class Page {
     const glm::dvec2 fitting = room.size() / bounds.size();
     const double scale = scale_ * std::min(fitting.x, fitting.y);
     const glm::dvec2 origin = scale_ * room.middle() - scale * bounds.middle();
-    std::vector<FacePicture> pictures;
+    std::vector<LevelFacePainter> pictures;
     for (const PlacedFace& face : group) {
       pictures.emplace_back(canvas_, drawing_, face.face, placed(face.map, origin, scale), 1 / scale);
       pictures.back().paintGround(tints_, face.brightness);
     }
-    for (FacePicture& picture : pictures) picture.paintSegments(tints_);
-    for (FacePicture& picture : pictures) picture.paintMarks(tints_);
+    for (LevelFacePainter& picture : pictures) picture.paintSegments(tints_);
+    for (LevelFacePainter& picture : pictures) picture.paintMarks(tints_);
   }
 
   void drawTexts(const Level& level) {

@@ -30,7 +30,7 @@ bool writeAll(const Descriptor& file, std::string_view content) {
 bool takeRights(const Descriptor& file, const std::string& old, FileReplacement::Readers readers) {
   using Readers = FileReplacement::Readers;
   struct stat status {};
-  if (stat(old.c_str(), &status) != 0) return fchmod(file.number(), readers == Readers::kAll ? 0644 : 0600) == 0;
+  if (stat(old.c_str(), &status) != 0) return fchmod(file.number(), readers == Readers::kAllIfNew ? 0644 : 0600) == 0;
   if (fchown(file.number(), status.st_uid, status.st_gid) != 0 && errno != EPERM) return false;
   return fchmod(file.number(), status.st_mode & (readers == Readers::kOnlyOwner ? 0700 : 07777)) == 0;
 }
@@ -91,15 +91,15 @@ bool syncFolder(const std::string& file) {
 }
 
 std::string replaceTextFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, FileReplacement::Wait::kForDisk, FileReplacement::Readers::kOwner);
+  return replaceFile(path, content, FileReplacement::Wait::kForDisk, FileReplacement::Readers::kOwnerIfNew);
 }
 
 std::string replaceCachedFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, FileReplacement::Wait::kNot, FileReplacement::Readers::kOwner);
+  return replaceFile(path, content, FileReplacement::Wait::kNot, FileReplacement::Readers::kOwnerIfNew);
 }
 
 std::string replaceOutputFile(const std::string& path, std::string_view content) {
-  return replaceFile(path, content, FileReplacement::Wait::kNot, FileReplacement::Readers::kAll);
+  return replaceFile(path, content, FileReplacement::Wait::kNot, FileReplacement::Readers::kAllIfNew);
 }
 
 }  // namespace platon

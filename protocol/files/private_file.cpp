@@ -37,9 +37,9 @@ OpenedFile lockBeside(const std::string& file, bool needsLocks) {
   }
   const LockResult result = lockFile(opened.file);
   if (result == LockResult::kHeld)
-    return {Descriptor(), "another program holds the lock on '" + path + "'; end that program or remove the file"};
+    return {Descriptor(), "another program holds the lock on '" + path + "'; end that program"};
   if (result == LockResult::kNoLocks && needsLocks)
-    return {Descriptor(), "the file system of '" + path + "' has no locks; name a file in another one"};
+    return {Descriptor(), "the file system of '" + path + "' has no locks; name a file in another file system"};
   return opened;
 }
 
@@ -52,7 +52,7 @@ bool isLinkToNothing(const std::filesystem::path& path) {
 FileReplacement::Readers readersOf(KeptFile::Kind kind) {
   using Readers = FileReplacement::Readers;
   if (kind == KeptFile::Kind::kOwn) return Readers::kOnlyOwner;
-  return kind == KeptFile::Kind::kNamed ? Readers::kOwner : Readers::kAll;
+  return kind == KeptFile::Kind::kNamed ? Readers::kOwnerIfNew : Readers::kAllIfNew;
 }
 
 }  // namespace
@@ -76,17 +76,18 @@ LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit) {
   return LockResult::kLocked;
 }
 
-// The file is missing, and its folder is not. Where a link leads to nothing, a new file would take the place of the
-// link.
+// The file is missing. Its folder is not, or will be made. Where a link leads to nothing, a new file would take the
+// place of the link.
 bool KeptFile::isMissing() const {
   std::error_code ignored;
   const bool hasFolder = kind_ == Kind::kOwn || std::filesystem::is_directory(folderOf(path_), ignored);
   return hasFolder && std::filesystem::symlink_status(path_, ignored).type() == std::filesystem::file_type::not_found;
 }
 
-std::string KeptFile::faultOf(const std::string& text) const {
+std::string KeptFile::faultOf(const std::string& text, const char* verb) const {
   if (text.size() <= maxBytes_) return {};
-  return "it has more than " + std::to_string(maxBytes_) + " bytes; remove lines that you do not need";
+  return "it " + std::string(verb) + " more than " + std::to_string(maxBytes_) +
+         " bytes; remove lines that you do not need";
 }
 
 std::variant<std::string, ParseError> KeptFile::read() const {
@@ -96,25 +97,33 @@ std::variant<std::string, ParseError> KeptFile::read() const {
     if (isLinkToNothing(path_)) error->what = "it is a symbolic link to a missing file";
     error->what += kind_ == Kind::kOwn ? "; make it readable or move it away"
                                        : "; name a file that can be read and written, in a folder that exists";
-  } else if (std::string fault = faultOf(std::get<std::string>(content)); !fault.empty()) {
+  } else if (std::string fault = faultOf(std::get<std::string>(content), "has"); !fault.empty()) {
     return ParseError{std::move(fault)};
   }
   return content;
 }
 
+// Of a link, the file to which it leads is replaced, so all that link to it share one lock.
+std::string KeptFile::lockedFile() const {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::canonical(path_, error);
+  return !error && std::filesystem::is_regular_file(target, error) ? target.string() : path_.string();
+}
+
 std::string KeptFile::change(const Edit& edit, Wait wait) const {
   if (path_.empty()) return {};
-  std::error_code ignored;  // locking reports the error
-  if (kind_ == Kind::kOwn) std::filesystem::create_directories(folderOf(path_), ignored);
-  const OpenedFile lock = lockBeside(path_.string(), kind_ == Kind::kPublished);
+  std::error_code error;
+  if (kind_ == Kind::kOwn) std::filesystem::create_directories(folderOf(path_), error);
+  if (error) return "its folder cannot be made: " + error.message() + "; make it, and let the program write to it";
+  const OpenedFile lock = lockBeside(lockedFile(), kind_ == Kind::kPublished);
   const auto before = read();
-  if (const auto* error = std::get_if<ParseError>(&before)) return error->what;
+  if (const auto* fault = std::get_if<ParseError>(&before)) return fault->what;
   if (!lock.file) return lock.fault;
   const auto after = edit(std::get<std::string>(before));
-  if (const auto* error = std::get_if<ParseError>(&after)) return error->what;
+  if (const auto* fault = std::get_if<ParseError>(&after)) return fault->what;
   const auto& text = std::get<std::string>(after);
   if (text == std::get<std::string>(before)) return {};
-  if (std::string fault = faultOf(text); !fault.empty()) return fault;
+  if (std::string fault = faultOf(text, "would have"); !fault.empty()) return fault;
   FileReplacement replacement(path_.string());
   replacement.write(text);
   return replacement.finish(wait, readersOf(kind_));

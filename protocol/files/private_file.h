@@ -36,9 +36,10 @@ inline constexpr std::chrono::milliseconds kLockTime{2000};
 LockResult lockFile(const Descriptor& file, std::chrono::milliseconds limit = kLockTime);
 
 /// A file in which programs remember something, a text: the one way in which all of them read, lock and write such a
-/// file. One program at a time changes it, with a lock on `path`.lock, so nothing that another one has added is lost. A
-/// file that cannot be read as a whole is never written, and one that is written holds all of the old text or all of
-/// the new one at any time. What is wrong is told as a clause that also says how to mend it.
+/// file. One program at a time changes it, with a lock on the file with `.lock` added to its name, or to that of the
+/// file to which a link leads. So nothing that another one has added is lost. A file that cannot be read as a whole is
+/// never written, and one that is written holds all of the old text or all of the new one at any time. What is wrong is
+/// told as a clause; if it lies in the file, in its folder or in the lock, the clause also says how to mend it.
 class KeptFile {
  public:
   enum class Kind : std::uint8_t {
@@ -65,7 +66,8 @@ class KeptFile {
 
  private:
   bool isMissing() const;
-  std::string faultOf(const std::string& text) const;
+  std::string lockedFile() const;
+  std::string faultOf(const std::string& text, const char* verb) const;
 
   std::filesystem::path path_;
   std::size_t maxBytes_;

@@ -62,8 +62,8 @@ std::variant<std::string, ParseError> readTextFile(const std::string& path, std:
 class FileReplacement {
  public:
   enum class Wait : std::uint8_t { kForDisk, kNot };
-  /// Who may read a new file, whatever the umask. `kOnlyOwner`: nor may others do with an older one from now on.
-  enum class Readers : std::uint8_t { kOwner, kAll, kOnlyOwner };
+  /// Who may read a new file, whatever the umask. `kOnlyOwner`: an older file is closed to others, too.
+  enum class Readers : std::uint8_t { kOwnerIfNew, kAllIfNew, kOnlyOwner };
 
   /// The reason of a failure is in `fault`, and all below do nothing then.
   explicit FileReplacement(const std::string& path);
@@ -74,7 +74,7 @@ class FileReplacement {
   void write(std::string_view content);
   /// Puts the content in the place of the file, which keeps its access rights. Returns why that failed, or an empty
   /// text.
-  std::string finish(Wait wait = Wait::kNot, Readers readers = Readers::kAll);
+  std::string finish(Wait wait = Wait::kNot, Readers readers = Readers::kAllIfNew);
   const std::string& fault() const { return fault_; }
 
  private:

@@ -14,7 +14,7 @@ using Servers = std::vector<ListedServer>;
 
 KeptFile keptAt(const std::string& file) { return {file, kMaxServerListBytes, KeptFile::Kind::kPublished}; }
 
-// The servers in the text of a file, none if that is new; or what is wrong with it.
+// The servers in the text of a file, none if that is empty or new; or what is wrong with it.
 std::variant<Servers, ParseError> serversIn(const std::string& text) {
   if (text.empty()) return Servers();
   auto read = readServerList(text);

@@ -28,7 +28,8 @@ class Announcement {
   };
 
   /// `file` is created, readable by all, if it is missing; players join at `address`. Throws ProgramError if the file
-  /// cannot be read, its folder is missing, or it holds something else than a list, or an entry that is damaged.
+  /// cannot be read, its folder is missing, or it holds something else than a list, or an entry that is damaged. An
+  /// empty file is as a missing one.
   Announcement(const std::string& file, const ServerIdentity& identity, ServerAddress address);
 
   /// Puts the entry of the server with this name into the file, in place of an older one of its address. `poll` writes.

@@ -43,7 +43,7 @@ LIST_FAULTS = [
               "a list from elsewhere has its readers send to their own machines",
               "ListedSearchTest.RefusesAddressesThatAreNotOfOneOtherMachine"),
     at_length("list-for-its-owner-only", "protocol/files/file_replacement.cpp",
-              "Readers::kAll ? 0644 : 0600", "Readers::kAll ? 0600 : 0600",
+              "Readers::kAllIfNew ? 0644 : 0600", "Readers::kAllIfNew ? 0600 : 0600",
               "no web server can publish the list",
               "TextFileTest.OnlyAPublicFileCanBeReadByOthersWhenItIsNew"),
     at_length("entry-written-again", "server/admin/announcement.cpp",

@@ -62,7 +62,7 @@ class Parts(unittest.TestCase):
         self.assertEqual((page.summary, page.verbatim, page.options()), ("does it.", "  thing run", []))
 
     def test_a_man_page_names_everything(self):
-        page = man_page(self.page, "1", "0.1.0")
+        page = man_page(self.page, "1", "0.1.0", "/usr/share/doc/platon/docs")
         self.assertIn("thing \\- Does what it can\n", page)
         self.assertIn(".B \\-o,\\-\\-output FILE REQUIRED\nWhere to; it isn't read\n", page)
         self.assertIn("\n\\&.5 of it\n", page)
@@ -71,12 +71,13 @@ class Parts(unittest.TestCase):
 
     def test_a_man_page_names_files_and_the_other_pages(self):
         page = parse("platon-server", PAGE.replace("thing", "platon-server"))
-        man = man_page(page, "8", "0.1.0")
+        man = man_page(page, "8", "0.1.0", "/usr/share/doc/platon/docs")
         for path, _ in FILES["platon-server"]:
             self.assertIn(".SH FILES\n", man)
             self.assertIn(f".B {path}\n", man)
         self.assertIn(".SH SEE ALSO\n.BR platon\\-client (6),\n.BR platon\\-level (1),\n", man)
         self.assertNotIn(".BR platon\\-server (8)", man)
+        self.assertIn("\n.BR /usr/share/doc/platon/docs .\n", man)
 
     def test_sections_are_those_that_are_installed(self):
         text = (ROOT / "deploy/install.cmake").read_text(encoding="utf-8")
@@ -95,7 +96,7 @@ class Programs(unittest.TestCase):
     def test_every_option_is_described_and_completed(self):
         for name in PROGRAMS:
             page = read_help(BIN / name, name)
-            man = man_page(page, "1", version_of(BIN / name))
+            man = man_page(page, "1", version_of(BIN / name), "/usr/share/doc/platon/docs")
             options = [entry for one in (page, *page.commands) for entry in one.options()]
             self.assertTrue(options or page.verbatim, name)
             for entry in options:
@@ -144,7 +145,7 @@ class Programs(unittest.TestCase):
         self.addCleanup(shutil.rmtree, folder)
         for name in PROGRAMS:
             page = folder / f"{name}.1"
-            page.write_text(man_page(read_help(BIN / name, name), "1", "0.1.0"), encoding="utf-8")
+            page.write_text(man_page(read_help(BIN / name, name), "1", "0.1.0", "/usr/share/doc/platon/docs"), encoding="utf-8")
             result = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8", "-Kutf8", page], capture_output=True, text=True)
             self.assertEqual(re.sub(r".*can't break line.*\n", "", result.stderr), "", name)
 

@@ -34,8 +34,6 @@ class LegSearch {
   std::vector<Collider::WarpRef>& refused_;
 };
 
-// A contact may have put the ideal place itself out of range, by less than the remainder of a position: then only a
-// displacement that leads back is made.
 bool LegSearch::clampToRange() {
   leg_.target = mover_.roundedAt(from_ + leg_.displacement);
   bool clamped = false;
@@ -43,9 +41,10 @@ bool LegSearch::clampToRange() {
     leg_.displacement = {leg_.displacement.x / 2, leg_.displacement.y / 2};
     leg_.share.denominator *= 2;
     leg_.target = mover_.roundedAt(from_ + leg_.displacement);
-    if (leg_.displacement != PrecisePoint()) continue;
-    leg_.target = mover_.position();
-    leg_.share = {1, 1};
+    if (leg_.displacement == PrecisePoint()) {  // a contact has put the ideal place itself out of range
+      leg_.target = mover_.position();
+      leg_.share = {1, 1};  // nothing is left of the displacement, or the leg would be repeated
+    }
   }
   return clamped;
 }

@@ -157,7 +157,7 @@ TEST(KnownServers, ALockThatAnotherProgramKeepsIsNamed) {
   holder.waitForOutput("locked");
   EXPECT_EQ(servers.remember(kHere, CryptoKey{1}), "cannot save the key of the server: " + path +
                                                        ": another program holds the lock on '" + path +
-                                                       ".lock'; end that program or remove the file");
+                                                       ".lock'; end that program");
   EXPECT_EQ(servers.find(kHere), std::nullopt);
 }
 
@@ -311,8 +311,8 @@ TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
 TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
   writeText(folder_ / "data", "a file");
   EXPECT_EQ(ReachedLevels(file_).add(7),
-            "cannot save that the goal was reached: " + file_.string() + ": '" + file_.string() +
-                ".lock' cannot be opened: Not a directory; remove it, and let the program write to its folder");
+            "cannot save that the goal was reached: " + file_.string() +
+                ": its folder cannot be made: Not a directory; make it, and let the program write to it");
   EXPECT_EQ(ReachedLevels({}).add(7), "");
 }
 

@@ -181,7 +181,7 @@ TEST_F(KeptFileTest, WhatCannotBeReadAsAWholeIsNotWritten) {
 
 TEST_F(KeptFileTest, WhatCouldNotBeReadAgainIsNotWritten) {
   EXPECT_EQ(add("0123456789"), "");
-  EXPECT_EQ(add("x"), "it has more than 10 bytes; remove lines that you do not need");
+  EXPECT_EQ(add("x"), "it would have more than 10 bytes; remove lines that you do not need");
   EXPECT_EQ(readText(path_), "0123456789");
 }
 
@@ -232,8 +232,22 @@ TEST_F(KeptFileTest, ALockThatIsKeptIsAFault) {
   const std::string path = path_.string() + ".lock";
   const OpenedFile lock = openPrivateFile(path);
   ASSERT_EQ(lockFile(lock.file), LockResult::kLocked);
-  EXPECT_EQ(add("x"), "another program holds the lock on '" + path + "'; end that program or remove the file");
+  EXPECT_EQ(add("x"), "another program holds the lock on '" + path + "'; end that program");
   EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(KeptFileTest, AllThatLinkToAFileShareItsLock) {
+  fs::create_directory(folder_ / "made");
+  const fs::path target = fs::canonical(folder_ / "made") / "elsewhere";
+  writeText(target, "");
+  fs::create_symlink(target, path_);
+  {
+    const OpenedFile lock = openPrivateFile(target.string() + ".lock");
+    ASSERT_EQ(lockFile(lock.file), LockResult::kLocked);
+    EXPECT_EQ(add("x"), "another program holds the lock on '" + target.string() + ".lock'; end that program");
+  }
+  EXPECT_EQ(add("x"), "");
+  EXPECT_FALSE(fs::exists(path_.string() + ".lock"));
 }
 
 // Others could hold the lock for ever otherwise.

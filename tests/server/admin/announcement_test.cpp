@@ -151,8 +151,7 @@ TEST_F(AnnouncementTest, AStuckLockDelaysNobodyAndIsTriedAgain) {
   EXPECT_EQ(ann.poll(now), std::nullopt) << "whoever had waited for the lock would know by now";
   std::optional<Outcome> outcome;
   EXPECT_TRUE(waitUntil([&] { return (outcome = ann.poll(now)).has_value(); }));
-  EXPECT_EQ(outcome, (Outcome{true, "another program holds the lock on '" + file_ +
-                                        ".lock'; end that program or remove the file"}));
+  EXPECT_EQ(outcome, (Outcome{true, "another program holds the lock on '" + file_ + ".lock'; end that program"}));
   lock = Descriptor();
   EXPECT_TRUE(waitUntil([&] { return (outcome = ann.poll(now + FileWriter::kRetryInterval)).has_value(); }));
   EXPECT_EQ(outcome, (Outcome{true, ""}));

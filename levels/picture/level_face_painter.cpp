@@ -1,4 +1,4 @@
-#include "levels/picture/face_picture.h"
+#include "levels/picture/level_face_painter.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -28,13 +28,13 @@ void paintSegments(Canvas& canvas, std::span<const LevelDrawing::Line> lines, co
   }
 }
 
-FacePicture::FacePicture(Canvas& canvas, const LevelDrawing& drawing, int face, const PlaneMap& map,
-                         double unitsPerPixel)
+LevelFacePainter::LevelFacePainter(Canvas& canvas, const LevelDrawing& drawing, int face, const PlaneMap& map,
+                                   double unitsPerPixel)
     : canvas_(&canvas), drawing_(&drawing), face_(face), map_(map), unitsPerPixel_(unitsPerPixel) {}
 
-double FacePicture::visible(double units, double pixels) const { return std::max(units, pixels * unitsPerPixel_); }
+double LevelFacePainter::visible(double units, double pixels) const { return std::max(units, pixels * unitsPerPixel_); }
 
-void FacePicture::paintGround(const Tints& tints, double brightness) {
+void LevelFacePainter::paintGround(const Tints& tints, double brightness) {
   const Canvas::Mapped mapped(*canvas_, map_);
   canvas_->polygon(drawing_->solid.polygon());
   canvas_->fill({tints.face(brightness)});
@@ -45,27 +45,27 @@ void FacePicture::paintGround(const Tints& tints, double brightness) {
   if (down) paintArrow(*canvas_, down->tail, down->head, {tints.ink(), 0.3}, 0.03 * drawing_->solid.apothem());
 }
 
-void FacePicture::paintNumber(const Tints& tints) {
+void LevelFacePainter::paintNumber(const Tints& tints) {
   const LevelDrawing::Label& label = drawing_->faces[static_cast<std::size_t>(face_)].label;
   const glm::dvec2 half(canvas_->typeface().width(label.text) / 2, Typeface::kCapitalHeight / 2);
   canvas_->text(label.middle - label.size * half, label.size, label.text);
   canvas_->fill({tints.ink(), 0.6});
 }
 
-void FacePicture::paintSegments(const Tints& tints) {
+void LevelFacePainter::paintSegments(const Tints& tints) {
   const Canvas::Mapped mapped(*canvas_, map_);
   const auto& lines = drawing_->faces[static_cast<std::size_t>(face_)].lines;
   platon::paintSegments(*canvas_, lines, tints, visible(LevelMarks::kSegmentWidth, 1.3));
 }
 
-void FacePicture::paintMarks(const Tints& tints) {
+void LevelFacePainter::paintMarks(const Tints& tints) {
   const Canvas::Mapped mapped(*canvas_, map_);
   if (drawing_->goal.face == face_)
     paintGoal(*canvas_, drawing_->goal.place, visible(LevelMarks::kGoalRadius, 8), tints);
   if (drawing_->start.face == face_) paintStart(tints);
 }
 
-void FacePicture::paintStart(const Tints& tints) {
+void LevelFacePainter::paintStart(const Tints& tints) {
   const LevelDrawing::Ball& ball = drawing_->start;
   const double radius = visible(LevelMarks::kBallRadius, 6);
   const glm::dvec2 tail = ball.place - 1.5 * radius * ball.up;

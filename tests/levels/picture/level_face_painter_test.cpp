@@ -1,4 +1,4 @@
-#include "levels/picture/face_picture.h"
+#include "levels/picture/level_face_painter.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,13 @@
 #include "tests/levels/picture/pixels.h"
 #include "tests/support/test_levels.h"
 
-namespace platon::face_picture_test {
+namespace platon::level_face_painter_test {
 namespace {
 
 constexpr int kSize = 240;
 
 // Face 0 of a hexahedron in the middle of a picture.
-class FacePictureTest : public testing::Test {
+class LevelFacePainterTest : public testing::Test {
  protected:
   // `faceSize` level units are 200 pixels.
   Pixels painted(int faceSize, const std::string& segments) {
@@ -26,7 +26,7 @@ class FacePictureTest : public testing::Test {
     const LevelDrawing drawing(*level);
     const double scale = 200.0 / faceSize;
     Canvas canvas(kSize, kSize, tints_.background());
-    FacePicture picture(canvas, drawing, 0, {{scale, 0}, {0, -scale}, {kSize / 2, kSize / 2}}, 1 / scale);
+    LevelFacePainter picture(canvas, drawing, 0, {{scale, 0}, {0, -scale}, {kSize / 2, kSize / 2}}, 1 / scale);
     picture.paintGround(tints_, 0.5);
     picture.paintSegments(tints_);
     picture.paintMarks(tints_);
@@ -36,21 +36,21 @@ class FacePictureTest : public testing::Test {
   const Tints tints_{SolidKind::kHexahedron};
 };
 
-TEST_F(FacePictureTest, TheGroundFillsTheFace) {
+TEST_F(LevelFacePainterTest, TheGroundFillsTheFace) {
   const Pixels pixels = painted(200, "");
   EXPECT_EQ(pixels.at(30, 30), pixelOf(tints_.face(0.5)));
   EXPECT_EQ(pixels.at(210, 210), pixelOf(tints_.face(0.5)));
   EXPECT_EQ(pixels.at(15, 120), pixelOf(tints_.background()));
 }
 
-TEST_F(FacePictureTest, SegmentsLieWhereTheLevelHasThem) {
+TEST_F(LevelFacePainterTest, SegmentsLieWhereTheLevelHasThem) {
   const Pixels pixels = painted(200, "-80 -60 80 -60\n");
   EXPECT_EQ(pixels.at(60, 180), pixelOf(tints_.ink()));
   EXPECT_EQ(pixels.at(180, 178), pixelOf(tints_.ink()));
   EXPECT_EQ(pixels.at(60, 175), pixelOf(tints_.face(0.5)));
 }
 
-TEST_F(FacePictureTest, StartAndGoalLieWhereTheLevelHasThem) {
+TEST_F(LevelFacePainterTest, StartAndGoalLieWhereTheLevelHasThem) {
   const Pixels pixels = painted(200, "");
   EXPECT_EQ(pixels.at(112, 120), pixelOf(Tints::start()));
   EXPECT_EQ(pixels.at(120, 116), pixelOf(tints_.background())) << "the mark of its up";
@@ -58,7 +58,7 @@ TEST_F(FacePictureTest, StartAndGoalLieWhereTheLevelHasThem) {
   EXPECT_EQ(pixels.at(170, 70), pixelOf(Tints::goal()));
 }
 
-TEST_F(FacePictureTest, OnALargeFaceEverythingStaysVisible) {
+TEST_F(LevelFacePainterTest, OnALargeFaceEverythingStaysVisible) {
   const Pixels pixels = painted(65536, "-20000 -20000 20000 -20000\n");
   EXPECT_GT(pixels.count(Tints::start()), 40);
   EXPECT_GT(pixels.count(Tints::goal()), 10);
@@ -88,4 +88,4 @@ TEST(PaintSegments, DrawsEverySegmentOfALongList) {
 }
 
 }  // namespace
-}  // namespace platon::face_picture_test
+}  // namespace platon::level_face_painter_test

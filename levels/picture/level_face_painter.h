@@ -13,11 +13,11 @@ namespace platon {
 void paintSegments(Canvas& canvas, std::span<const LevelDrawing::Line> lines, const Tints& tints, double width);
 
 /// Draws the parts of a level on one face. Everything keeps its size in the level, but stays large enough to be seen.
-class FacePicture {
+class LevelFacePainter {
  public:
   /// `map` leads from the frame of the face to the canvas. `unitsPerPixel` is the length of a pixel in level units,
   /// where the face is not foreshortened. `canvas` and `drawing` must outlive this.
-  FacePicture(Canvas& canvas, const LevelDrawing& drawing, int face, const PlaneMap& map, double unitsPerPixel);
+  LevelFacePainter(Canvas& canvas, const LevelDrawing& drawing, int face, const PlaneMap& map, double unitsPerPixel);
 
   /// The face itself, its number and the direction of down.
   void paintGround(const Tints& tints, double brightness);
