@@ -12,7 +12,7 @@ namespace {
 
 using Servers = std::vector<ListedServer>;
 
-KeptFile keptAt(const std::string& file) { return {file, kMaxServerListBytes, KeptFile::Kind::kPublished}; }
+KeptFile listAt(const std::string& file) { return {file, kMaxServerListBytes, KeptFile::Kind::kPublished}; }
 
 // The servers in the text of a file, none if that is empty or new; or what is wrong with it.
 std::variant<Servers, ParseError> serversIn(const std::string& text) {
@@ -44,13 +44,13 @@ std::variant<std::string, ParseError> replaceEntry(const std::string& kept, cons
 
 FileWriter::Replace replaceEntryAt(const ServerAddress& address) {
   return [address](const std::string& file, std::string_view own) {
-    return keptAt(file).change([&](const std::string& kept) { return replaceEntry(kept, address, own); });
+    return listAt(file).change([&](const std::string& kept) { return replaceEntry(kept, address, own); });
   };
 }
 
 // Why a server cannot be announced in a file; empty if it can.
 std::string faultOf(const std::string& file) {
-  const auto text = keptAt(file).read();
+  const auto text = listAt(file).read();
   if (const auto* error = std::get_if<ParseError>(&text)) return error->what;
   const auto servers = serversIn(std::get<std::string>(text));
   const auto* error = std::get_if<ParseError>(&servers);
