@@ -99,8 +99,8 @@ void ElementHints::observe(const PlayerState& player, const EntityState& ball, s
     if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind));
   }
   if (++ticks_ < kElementReadTicks || (met_ & bit(kind_)) == 0) return;
-  untold.mask &= static_cast<std::uint8_t>(~bit(kind_));
-  met_ &= static_cast<std::uint8_t>(~bit(kind_));
+  untold.mask &= ~bit(kind_);
+  met_ &= ~bit(kind_);
 }
 
 std::string_view ElementHints::hint() const {
