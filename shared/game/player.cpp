@@ -106,7 +106,7 @@ void Player::fall() {
 
 void Player::contact(Point normal, bool atEnd, Point& steep) {
   const bool landing = isGround(normal);
-  const bool wasInAir = state_->coyote != kCoyoteTicks - 1;  // `tick` has set it, less one, for a player on the ground
+  const bool wasInAir = state_->coyote != kCoyoteTicks - 1;  // `jump` has set it, less one, for a player on the ground
   if (landing) {
     state_->ground = normal;
   } else {
