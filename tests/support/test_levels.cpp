@@ -1,7 +1,5 @@
 #include "tests/support/test_levels.h"
 
-#include <stdexcept>
-
 namespace platon {
 
 namespace {
@@ -20,12 +18,6 @@ std::string withGoal(const std::string& goal) {
 }
 
 }  // namespace
-
-std::shared_ptr<const Level> levelOf(const std::string& text) {
-  LevelResult result = loadLevel(text);
-  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
-  return result.level;
-}
 
 std::shared_ptr<const Level> flatLevel() { return withFloors("0 -150 -150 0", "0 150 -180", ""); }
 

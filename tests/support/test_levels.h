@@ -1,14 +1,19 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "platon/game/level.h"
 
 namespace platon {
 
-/// The level with this text. Throws std::logic_error if it is invalid.
-std::shared_ptr<const Level> levelOf(const std::string& text);
+/// Loads a level text. Throws std::invalid_argument with its first error.
+inline std::shared_ptr<const Level> levelOf(const std::string& text) {
+  LevelResult result = loadLevel(text);
+  if (!result.level) throw std::invalid_argument(format("level", result.diagnostics.at(0)));
+  return result.level;
+}
 
 /// A hexahedron with a floor on each face, which makes face 5 unreachable. The goal is on the floor to the right of the
 /// start.

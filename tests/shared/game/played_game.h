@@ -10,17 +10,11 @@
 #include "platon/exact/integer.h"
 #include "platon/game/game.h"
 #include "platon/game/level.h"
+#include "tests/support/test_levels.h"
 
 namespace platon {
 
 inline constexpr std::uint8_t kNone = 0;
-
-/// Loads a level text. Throws std::invalid_argument with its first error.
-inline std::shared_ptr<const Level> levelOf(const std::string& text) {
-  LevelResult result = loadLevel(text);
-  if (!result.level) throw std::invalid_argument(format("level", result.diagnostics.at(0)));
-  return result.level;
-}
 
 /// A hexahedron with face size 480. `start` and `goal` are lines of a level text, `lines` the lines of each face.
 inline std::shared_ptr<const Level> cubeLevel(const std::string& start, std::vector<std::string> lines,
