@@ -109,6 +109,27 @@ def check_threads(path, text, page):
             yield f"{path}:{source_text.line_of(code, place)}: {owner} has a worker, but no row in the table of threads in {PAGE}"
 
 
+# What a player chooses: (struct, its header, the files that only keep and change the choice). A member that no other file
+# of the client names has no effect.
+CHOICES = (
+    ("Settings", "client/ui/settings.h", ("client/ui/setting*", "client/files/settings_file.*")),
+    ("Quality", "client/quality/quality.h", ("client/quality/*",)),
+)
+
+
+def check_choices(product):
+    """Yields every member of the structs in CHOICES that has no effect."""
+    client = {path: source_text.code_of(text) for path, text in product.items() if path.startswith("client/")}
+    for struct, header, keepers in CHOICES:
+        code = client.get(header, "")
+        body = re.search(rf"^struct {struct} {{$(.*?)^}};$", code, re.MULTILINE | re.DOTALL)
+        users = " ".join(text for path, text in client.items() if not any(fnmatch.fnmatchcase(path, keeper) for keeper in keepers))
+        for member in re.finditer(r"^  (?!static|friend)[\w:<>]+ (\w+)(?: = [^;(]*)?;", body[1] if body else "", re.MULTILINE):
+            if not re.search(rf"(?:\.|->){member[1]}\b", users):
+                line = source_text.line_of(code, body.start(1) + member.start())
+                yield f"{header}:{line}: nothing obeys {struct}::{member[1]}"
+
+
 def check_purity(path, text):
     for line, header, quoted in source_text.includes_of(text):
         if not quoted and header.isidentifier() and header not in PURE_HEADERS:
@@ -161,6 +182,7 @@ def check_tree(root, plan):
                 product[path] = text
             if path.startswith("shared/") and path in product:
                 yield from check_purity(path, text)
+    yield from check_choices(product)
     yield from check_includes(plan, product, root)
 
 

@@ -79,6 +79,17 @@ class Tree(unittest.TestCase):
         self.assertEqual(self.violations(path, text), [], f"{path}: {text!r}")
 
 
+class Choices(Tree):
+    def test_a_member_that_nothing_obeys_is_named(self):
+        parts = {**PARTS, "platon_client_ui": (["client/ui/"], [], []), "platon_client_quality": (["client/quality/"], [], [])}
+        self.use(parts)
+        self.write("client/ui/settings.h", "#pragma once\nstruct Settings {\n  int zoom = 1;\n  double lost;  ///< that nobody reads\n};\n")
+        self.write("client/ui/settings.cpp", "int written(Settings s) { return s.zoom + s.lost; }\n")
+        self.write("client/quality/quality.h", "#pragma once\nstruct Quality {\n  int samples;\n  static constexpr int kMost = 4;\n  bool fine;\n};\n")
+        found = self.violations("client/play/desk.cpp", "int f(S s, Q* q) { return s.zoom + q->samples; /* s.lost */ }\n")
+        self.assertEqual(found, ["client/ui/settings.h:4: nothing obeys Settings::lost", "client/quality/quality.h:5: nothing obeys Quality::fine"])
+
+
 class Includes(Tree):
     def test_a_file_includes_what_its_target_links(self):
         self.assert_allowed("client/play/file.cpp", '// #include "lost.h"\n#include "client/scene/thing.h"\n#include <chrono>\n')
