@@ -10,13 +10,13 @@
 
 namespace platon {
 
-/// What a server does not know about its program.
+/// What a server does not know about its program. Without defaults, so that who lists them and forgets one is warned.
 struct ProgramFacts {
   UtcTime startedAt;
   std::string serverName;
-  std::uint64_t maxPlayers = 0;
-  std::uint64_t bans = 0;
-  std::uint64_t unwrittenBans = 0;  ///< how often the file could not be written
+  std::uint64_t maxPlayers;
+  std::uint64_t bans;
+  std::uint64_t unwrittenBans;  ///< how often the file could not be written
 };
 
 /// All metrics: one row each. A row is described in docs/hosting.md, too, shown by the dashboard in deploy/monitoring,
