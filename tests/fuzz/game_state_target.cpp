@@ -18,7 +18,13 @@ constexpr std::string_view kText =
     "-60 -20 -30 -20 oneway\n40 -69.2 40 -40 door 1\n%\n-30 0 30 10\n0 -60 0 -40 checkpoint\n20 -50 30 -50 key 2\n"
     "%\n-40 -30 40 -30 up 1\n-50 -60 50 -60 hazard\n%\n0 60 0 60\n0 -60 0 60 door 2\n";
 
-constexpr bool hasWord(ElementKind kind) { return kText.find(wordOf(kind)) != std::string_view::npos; }
+constexpr bool hasWord(ElementKind kind) {
+  for (std::size_t at = kText.find(wordOf(kind)); at != kText.npos; at = kText.find(wordOf(kind), at + 1)) {
+    const char after = kText[at + wordOf(kind).size()];
+    if (kText[at - 1] == ' ' && (after == ' ' || after == '\n')) return true;
+  }
+  return false;
+}
 static_assert(std::all_of(kElementKinds.begin(), kElementKinds.end(), hasWord), "kText lacks a kind of element");
 
 const std::shared_ptr<const Level>& level() {

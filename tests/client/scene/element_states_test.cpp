@@ -1,6 +1,8 @@
 #include "client/scene/element_states.h"
 
+#include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -116,6 +118,23 @@ TEST(ElementStates, WithoutAPlayerThoseOfTheStart) {
   EXPECT_EQ(statesOf(game).active, (States{1, 0, 0, 1}));
   EXPECT_EQ(statesOf(game, std::nullopt).active, (States{1, 0, 0, 1}));
   EXPECT_LT(glm::distance(statesOf(game).ups[0], {0, 1}), 1e-6F);
+}
+
+TEST(ElementStates, EveryOtherKindIsActiveAtTimesAndNotAtOthers) {
+  const std::set<ElementKind> constant{ElementKind::kOneway, ElementKind::kHazard};
+  Game game = gameOn(
+      "-170 -196 -130 -196 plate 3\n-60 -195 -60 -160 key 5\n60 -195 60 -100 door 5\n0 -195 0 -160 checkpoint\n"
+      "0 100 50 100 up 0\n0 110 50 110 up 2\n0 120 50 120 oneway\n0 130 50 130 hazard\n");
+  std::map<ElementKind, std::set<int>> seen;
+  for (int tick = 0; tick < 100; ++tick) {
+    run(game, 1, tick < 10 ? 0 : Input::kRight);
+    const States active = statesOf(game).active;
+    for (std::size_t i = 0; i < active.size(); ++i) seen[game.level().elements[i].kind].insert(active[i]);
+  }
+  for (const ElementKind kind : kElementKinds) {
+    EXPECT_EQ(seen[kind], constant.contains(kind) ? std::set<int>{1} : (std::set<int>{0, 1}))
+        << wordOf(kind) << ": play a level here in which it changes, or add it to those that are constant";
+  }
 }
 
 TEST(ElementStates, OnewaySegmentsAndHazardsNeverChange) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -217,11 +218,19 @@ std::vector<std::string> roomsOf(const std::string& word) {
   return rooms;
 }
 
+// All if there are at most as many as a face of the cube has edges, else the first, one in the middle and the last.
+std::vector<std::uint32_t> someNumbersAfter(ElementKind kind) {
+  const std::uint32_t last = hasNumber(kind) ? numbersAfter(kind, 4) - 1 : 0;
+  if (last > 3) return {0, last / 2, last};
+  std::vector<std::uint32_t> numbers(last + 1);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
 // A kind that Reach takes for a wall though a player can pass it would be a false proof.
 TEST(ReachLawCases, WhatASearchReachesIsReachableInRoomsOfEveryKind) {
   for (const ElementKind kind : kElementKinds) {
-    const bool isEdge = traitsOf(kind).number == ElementNumber::kEdge;
-    for (std::uint32_t number = 0; number < std::clamp(numbersAfter(kind, 4), 1U, isEdge ? 4U : 2U); ++number) {
+    for (const std::uint32_t number : someNumbersAfter(kind)) {
       for (const std::string& room :
            roomsOf(std::string(wordOf(kind)) + (hasNumber(kind) ? " " + std::to_string(number) : ""))) {
         const auto level = levelOf(room);

@@ -34,6 +34,15 @@ TEST(ElementWordsTest, EveryWordIsRead) {
   }
 }
 
+TEST(ElementWordsTest, AMissingNumberIsExplained) {
+  for (const ElementKind kind : kElementKinds) {
+    if (!hasNumber(kind)) continue;
+    const Reading reading = read(std::string(wordOf(kind)));
+    ASSERT_EQ(reading.diagnostics.size(), 1u) << wordOf(kind);
+    EXPECT_NE(reading.diagnostics[0].message.back(), ' ') << reading.diagnostics[0].message;
+  }
+}
+
 TEST(ElementWordsTest, TheLargestNumbersAreRead) {
   EXPECT_EQ(read("up 4").word->number, 4);
   EXPECT_FALSE(read("up 5").word);

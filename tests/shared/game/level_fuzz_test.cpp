@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -73,8 +74,9 @@ constexpr std::array<std::string_view, 32> kPieces = {"%",
 
 template <class Texts>
 bool hasWord(const Texts& texts, ElementKind kind) {
+  const std::regex word(" " + std::string(wordOf(kind)) + "\\b");
   return std::any_of(texts.begin(), texts.end(),
-                     [&](std::string_view text) { return text.find(wordOf(kind)) != std::string_view::npos; });
+                     [&](std::string_view text) { return std::regex_search(text.begin(), text.end(), word); });
 }
 
 // A mutator does not invent a word.
