@@ -109,23 +109,23 @@ def check_threads(path, text, page):
             yield f"{path}:{source_text.line_of(code, place)}: {owner} has a worker, but no row in the table of threads in {PAGE}"
 
 
-# What a player chooses: (struct, its header, the files that only keep and change the choice). A member that no other file
-# of the client names has no effect.
+# What a player chooses: (struct, how objects of it are called, its header, the files that only keep and change the
+# choice). A member that no other file of the client reads has no effect.
 CHOICES = (
-    ("Settings", "client/ui/settings.h", ("client/ui/setting*", "client/files/settings_file.*")),
-    ("Quality", "client/quality/quality.h", ("client/quality/*",)),
+    ("Settings", "[sS]ettings", "client/ui/settings.h", ("client/ui/setting*", "client/files/settings_file.*")),
+    ("Quality", "[qQ]uality", "client/quality/quality.h", ("client/quality/*",)),
 )
 
 
 def check_choices(product):
     """Yields every member of the structs in CHOICES that has no effect."""
     client = {path: source_text.code_of(text) for path, text in product.items() if path.startswith("client/")}
-    for struct, header, keepers in CHOICES:
+    for struct, owner, header, keepers in CHOICES:
         code = client.get(header, "")
         body = re.search(rf"^struct {struct} {{$(.*?)^}};$", code, re.MULTILINE | re.DOTALL)
         users = " ".join(text for path, text in client.items() if not any(fnmatch.fnmatchcase(path, keeper) for keeper in keepers))
         for member in re.finditer(r"^  (?!static|friend)[\w:<>]+ (\w+)(?: = [^;(]*)?;", body[1] if body else "", re.MULTILINE):
-            if not re.search(rf"(?:\.|->){member[1]}\b", users):
+            if not re.search(rf"{owner}_?(?:\(\))?(?:\.|->){member[1]}\b(?!\s*=[^=])", users):
                 line = source_text.line_of(code, body.start(1) + member.start())
                 yield f"{header}:{line}: nothing obeys {struct}::{member[1]}"
 

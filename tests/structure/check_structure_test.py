@@ -86,7 +86,8 @@ class Choices(Tree):
         self.write("client/ui/settings.h", "#pragma once\nstruct Settings {\n  int zoom = 1;\n  double lost;  ///< that nobody reads\n};\n")
         self.write("client/ui/settings.cpp", "int written(Settings s) { return s.zoom + s.lost; }\n")
         self.write("client/quality/quality.h", "#pragma once\nstruct Quality {\n  int samples;\n  static constexpr int kMost = 4;\n  bool fine;\n};\n")
-        found = self.violations("client/play/desk.cpp", "int f(S s, Q* q) { return s.zoom + q->samples; /* s.lost */ }\n")
+        uses = "settings_.lost = 1; other.fine = sky.fine; /* settings.lost */ return settings().zoom + quality->samples;"
+        found = self.violations("client/play/desk.cpp", f"int Desk::f() {{ {uses} }}\n")
         self.assertEqual(found, ["client/ui/settings.h:4: nothing obeys Settings::lost", "client/quality/quality.h:5: nothing obeys Quality::fine"])
 
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -52,7 +53,11 @@ TEST(Quality, EveryLevelIsDrawnAtThreeQuartersOfTheSizeOrMore) {
   }
 }
 
-TEST(Quality, TheLastLevelHasEverythingOn) { EXPECT_EQ(kBestQuality, (Quality{4, 1, true, true})); }
+TEST(Quality, TheLastLevelHasEverythingOn) {
+  EXPECT_EQ(kBestQuality, (Quality{4, 1, true, true}));
+  const auto isOn = [](auto value) { return !std::is_same_v<decltype(value), bool> || value; };
+  EXPECT_TRUE(std::apply([&](auto... values) { return (isOn(values) && ...); }, membersOf(kBestQuality)));
+}
 
 // The choice after one part got a value that is not its default.
 QualityChoice chosen(QualityPart part) {
