@@ -84,6 +84,15 @@ TEST(StageWalls, EverySegmentIsAWallOfTheHeight) {
   EXPECT_TRUE(walls[1].empty());
 }
 
+TEST(StageWalls, WhatCanBlockIsAWall) {
+  for (const ElementKind kind : kElementKinds) {
+    bool isWall = false;
+    for (std::uint8_t number = 0; number < 4; ++number)
+      isWall = isWall || !wallsOfElement(ElementWord{kind, number}.text()).active.empty();
+    EXPECT_EQ(isWall, canBlock(kind)) << "ElementWalls::add in client/scene/walls.cpp, for '" << wordOf(kind) << "'";
+  }
+}
+
 TEST(StageWalls, WhatDoesNotBlockIsLow) {
   for (const char* word : {"up 2", "door 5"}) {
     const ElementWalls walls = wallsOfElement(word);

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "platon/game/game.h"
 #include "tests/support/files.h"
 
 namespace platon::element_test {
@@ -20,6 +23,15 @@ TEST(ElementTest, EveryKindHasAWordOfItsOwn) {
   EXPECT_EQ(elementKindOf("wall"), std::nullopt);
   EXPECT_EQ(elementKindOf(""), std::nullopt);
   EXPECT_EQ(elementKindOf("Door"), std::nullopt);
+}
+
+// A program without the word cannot play a level with it, so the two must not meet.
+TEST(ElementTest, ANewWordRaisesTheRules) {
+  const std::map<std::uint32_t, std::string> wordsOfRules{{7, "oneway up hazard checkpoint key door plate "}};
+  std::string words;
+  for (const ElementKind kind : kElementKinds) words += std::string(wordOf(kind)) + " ";
+  ASSERT_TRUE(wordsOfRules.contains(kRulesVersion)) << "add the words of rules " << kRulesVersion << ": " << words;
+  EXPECT_EQ(words, wordsOfRules.at(kRulesVersion)) << "raise kRulesVersion, as docs/architecture.md says";
 }
 
 TEST(ElementTest, TheDocsDescribeEveryWord) {
