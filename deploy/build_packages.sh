@@ -25,7 +25,7 @@ fi
 export DEB_BUILD_OPTIONS=${DEB_BUILD_OPTIONS-noautodbgsym} DEB_CXXFLAGS_STRIP=${DEB_CXXFLAGS_STRIP--g}
 cd "$work"
 # Without cleaning before: what has not changed is not built again.
-nice dpkg-buildpackage --build=binary --unsigned-source --unsigned-changes --no-pre-clean >&2
+dpkg-buildpackage --build=binary --unsigned-source --unsigned-changes --no-pre-clean >&2
 lintian --fail-on error,warning "$packages"/work/*.changes >&2
 mv "$packages"/work/*.deb "$packages/"
 printf '%s\n' "$packages"/*.deb
