@@ -55,6 +55,13 @@ TEST(EdgeWay, EveryKindBlocksWhomItsTraitsName) {
   }
 }
 
+TEST(EdgeWay, AnUpAndADoorBlockWhileTheyAreActive) {
+  for (const char* word : {"up 2", "door 2"}) {
+    EXPECT_FALSE(waysPast(word, true).up) << word;
+    EXPECT_TRUE(waysPast(word, false).up) << word;
+  }
+}
+
 constexpr double kFrame = 1.0 / 60;
 constexpr double kRun = 3.2;  // level units a picture
 
