@@ -98,8 +98,8 @@ void Region::keepDerived(Work& work) {
 std::optional<Sweep::ClipInterval> Region::clipClosely(const Sweep& sweep, std::size_t entry, const Convex& shape) {
   if (shape_ != &shape) separating_.assign(separating_.size(), kNoHalfPlane);
   shape_ = &shape;
-  separating_[entry] = kNoHalfPlane;
   if (obstacleOf_[entry] == kNoObstacle) {
+    separating_[entry] = kNoHalfPlane;
     const auto interval = sweep.clip(part_->segments[segments_[entry]], separating_[entry]);
     if (!isSeparated(entry) && mayAllocate()) allocateObstacle(entry);
     return interval;

@@ -8,6 +8,7 @@
 
 #include "platon/physics/entity.h"
 #include "shared/exact/hash.h"
+#include "shared/physics/step/free_flight.h"
 #include "shared/physics/step/step_scratch.h"
 #include "shared/physics/world_link.h"
 
@@ -106,9 +107,11 @@ void World::moveAll(StepObserver* observer) {
 void World::move(std::uint32_t index, std::span<const InstanceState> further, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityState& entity = scratch.entities[index];
+  EntityCache& cache = load(index, entity, further);
+  if (observer == nullptr && flyFreely(entity, cache.instances, cache.regions, scratch.work)) return cache.rest.forget();
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
-  EntityStep step = beginStep(index, entity, further, observer);
+  EntityStep step = beginStep(index, entity, observer);
   step.contacts().begin();
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
@@ -117,16 +120,21 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   const Collider& collider = scratch.buffers.collider;
   if (collider.scope() == Rules::Scope::kEverything) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
-  scratch.caches[index].rest.record(state_.entities[index], further, entity, furtherAfter,
+  cache.rest.record(state_.entities[index], further, entity, furtherAfter,
                                     scratch.events.since(firstEvent), collider);
 }
 
-// `state` and `further` may differ from the state of the entity in this world.
-EntityStep World::beginStep(std::uint32_t index, EntityState& state, std::span<const InstanceState> further,
-                            StepObserver* observer) {
+// Loads the instances of an entity for a step. `state` and `further` may differ from its state in this world.
+EntityCache& World::load(std::uint32_t index, const EntityState& state, std::span<const InstanceState> further) {
+  EntityCache& cache = scratch_->caches[index];
+  cache.instances.load(*geometry_, scratch_->shapes, *shapes_[state.shape], state, further);
+  return cache;
+}
+
+// The step of an entity whose instances have been loaded from `state`.
+EntityStep World::beginStep(std::uint32_t index, EntityState& state, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityCache& cache = scratch.caches[index];
-  cache.instances.load(*geometry_, scratch.shapes, *shapes_[state.shape], state, further);
   return EntityStep(Entity(*this, index), state, cache.instances,
                     {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer});
 }

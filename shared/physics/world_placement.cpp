@@ -78,7 +78,8 @@ bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::ui
   scratch_->provideFor(state_.entities.size());
   StepScratch& scratch = *scratch_;
   const StepGuard guard(scratch);
-  EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
+  load(entity, placed.state, placed.further);
+  EntityStep step = beginStep(entity, placed.state, nullptr);
   step.contacts().pierceOverlapped(inserted);
   if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
   requireNotMoved(scratch);
@@ -122,7 +123,8 @@ void World::replaceSilently(std::uint32_t entity, const Placed& placed) {
 std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
   std::vector<SegmentRef> contacts;
   if (placed.state.inserted == 0) return contacts;
-  EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
+  load(entity, placed.state, placed.further);
+  EntityStep step = beginStep(entity, placed.state, nullptr);
   step.contacts().pierceOverlapped();
   step.contacts().append(contacts);
   return contacts;

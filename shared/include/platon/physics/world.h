@@ -16,6 +16,7 @@
 namespace platon {
 
 class EntityStep;
+struct EntityCache;
 class StepScratch;
 struct WorldLink;
 
@@ -170,8 +171,8 @@ class World {
   std::vector<SegmentRef> contactsOf(std::uint32_t entity, Placed placed);
   void moveAll(StepObserver* observer);
   void move(std::uint32_t entity, std::span<const InstanceState> further, StepObserver* observer);
-  EntityStep beginStep(std::uint32_t entity, EntityState& state, std::span<const InstanceState> further,
-                       StepObserver* observer);
+  EntityCache& load(std::uint32_t entity, const EntityState& state, std::span<const InstanceState> further);
+  EntityStep beginStep(std::uint32_t entity, EntityState& state, StepObserver* observer);
   void deliverEvents();
 
   std::shared_ptr<const Geometry> geometry_;
