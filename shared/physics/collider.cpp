@@ -124,10 +124,36 @@ void Collider::firstIdeal(const Instances& instances, std::size_t index, Precise
     if (!region.mayOverlap(sweep_, entry, *placement.shape)) continue;
     near_.push_back({index, entry});
     if (segment == ignored) continue;
-    const auto interval = region.clipIdeal(sweep_, entry, idealFrom, displacement);
-    if (!interval || (best && interval->enter >= best->hit.time) || !blocks(placement, segment)) continue;
-    best = LegHit{index, segment, region.hitOf(entry, *interval), region.edgeOf(entry, interval->entered)};
+    const auto entered = region.clipIdeal(sweep_, entry, idealFrom, displacement);
+    if (!entered || (best && entered->time >= best->hit.time) || !blocks(placement, segment)) continue;
+    best = LegHit{index, segment, region.hitOf(entry, {.enter = entered->time, .entered = entered->edge}),
+                  region.edgeOf(entry, entered->edge)};
   }
+}
+
+std::optional<LegHit> Collider::touching(const Instances& instances, std::uint32_t segment, PrecisePoint ideal,
+                                         PrecisePoint displacement) {
+  const Placement& home = instances.home();
+  Region& region = regionOf(home);
+  const bool blocksAlways = scope_ == Rules::Scope::kContacts ||
+                            (scope_ == Rules::Scope::kSegments && !rules_->mayPierce(home.part->id, segment));
+  if (!region.belongsTo(*home.part) || !blocksAlways || !blocks(home, segment)) return std::nullopt;
+  const std::optional<std::size_t> entry = region.entryOf(segment);
+  if (!entry) return std::nullopt;
+  const auto edge = region.touchedEdge(*entry, *home.shape, ideal, displacement);
+  if (!edge) return std::nullopt;
+  return LegHit{0, segment, region.hitOf(*entry, {.entered = *edge}), region.edgeOf(*entry, *edge)};
+}
+
+bool Collider::entersEarlier(const Instances& instances, std::uint32_t segment, PrecisePoint ideal,
+                             PrecisePoint displacement) {
+  if (!knowsNear_) return true;
+  const Placement& home = instances.home();
+  Region& region = regionOf(home);
+  return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
+    return near.placement == 0 && region.segments()[near.entry] < segment &&
+           region.entersAtOnce(near.entry, ideal, displacement) && blocks(home, region.segments()[near.entry]);
+  });
 }
 
 bool Collider::isFreeInLeg(const Instances& instances, Point to) {

@@ -64,6 +64,14 @@ class Collider {
   /// leg must be near it. Replaces `best` by an earlier hit. Does not compare the path with segment `ignored`.
   void firstIdeal(const Instances& instances, std::size_t index, PrecisePoint idealFrom, PrecisePoint displacement,
                   std::optional<LegHit>& best, std::uint32_t ignored = kNoSegment);
+  /// How the home instance, at the ideal place `ideal`, meets this segment of its part, if the displacement leads at
+  /// once into an edge of its obstacle, far from the others. Only of segments that always block and were near before.
+  std::optional<LegHit> touching(const Instances& instances, std::uint32_t segment, PrecisePoint ideal,
+                                 PrecisePoint displacement);
+  /// Whether, at that place, the displacement leads at once into a blocking segment with a lower index, so that
+  /// `firstIdeal` would find that. Must follow `firstIdeal` for a leg from the same place; true if that left open what
+  /// is near.
+  bool entersEarlier(const Instances& instances, std::uint32_t segment, PrecisePoint ideal, PrecisePoint displacement);
   /// Whether no instance hits a blocking segment when the home instance moves straight from its position to `to`. Fast
   /// near the lattice path of the leg, after a call of `firstIdeal` for all instances.
   bool isFreeInLeg(const Instances& instances, Point to);

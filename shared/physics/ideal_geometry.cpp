@@ -91,10 +91,10 @@ class IdealClip {
     isLeaving_ = dotPrecise(half.normal, displacement_) >= 0;
   }
 
-  std::optional<Sweep::ClipInterval> result() const {
+  std::optional<IdealEntry> result() const {
     const bool isEmpty = !interval_.endsInside && interval_.enter >= interval_.exit;
     if (startsInside() || isLeaving_ || isEmpty) return std::nullopt;
-    return interval_;
+    return IdealEntry{interval_.enter, interval_.entered};
   }
 
  private:
@@ -158,7 +158,7 @@ class IdealClip {
 };
 
 // The result of a clip with all half planes that the path crosses.
-std::optional<Sweep::ClipInterval> resultOf(IdealClip& clip, const Convex& shape, const Segment& segment) {
+std::optional<IdealEntry> resultOf(IdealClip& clip, const Convex& shape, const Segment& segment) {
   if (clip.startsInside()) {
     visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
       clip.findNearest(index, half);
@@ -197,8 +197,8 @@ Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std
   return found;
 }
 
-std::optional<Sweep::ClipInterval> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
-                                             PrecisePoint displacement) {
+std::optional<IdealEntry> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
+                                    PrecisePoint displacement) {
   IdealClip clip(sideCount(segment), from, displacement);
   bool misses = false;
   visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
@@ -208,8 +208,27 @@ std::optional<Sweep::ClipInterval> clipIdeal(const Convex& shape, const Segment&
   return misses ? std::nullopt : resultOf(clip, shape, segment);
 }
 
-std::optional<Sweep::ClipInterval> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
-                                             PrecisePoint displacement) {
+// IdealClip would find the same: of the other half planes, the path leaves some, later. Where an edge of the shape lies
+// on the segment, the side of the segment and that edge are one line, and the side counts, which is first.
+std::optional<std::size_t> touchedEdge(Obstacle& obstacle, const Box& positions, PrecisePoint from,
+                                       PrecisePoint displacement) {
+  std::optional<std::size_t> touched;
+  for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
+    const Obstacle::HalfPlane& half = obstacle.halfPlanes()[index];
+    const int128 start = distanceTo(half, from);
+    if (start < -int128{half.oneNorm()} * PrecisePoint::kOne) continue;
+    const int128 tolerance = int128{Tolerances::kOnEdge} * half.oneNorm();
+    const bool isOn = start >= -tolerance && start <= tolerance;
+    const bool isOther = touched && cross(obstacle.halfPlanes()[*touched].normal, half.normal) != 0;
+    if (isOther || !isOn || start + dotPrecise(half.normal, displacement) >= -tolerance) return std::nullopt;
+    if (!touched) touched = index;
+  }
+  return touched;
+}
+
+std::optional<IdealEntry> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
+                                    PrecisePoint displacement) {
+  if (const auto touched = touchedEdge(obstacle, positions, from, displacement)) return IdealEntry{{0, 1}, *touched};
   IdealClip clip(obstacle.sideCount(), from, displacement);
   for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
     if (clip.intersect(index, obstacle.halfPlanes()[index])) continue;

@@ -33,13 +33,27 @@ int128 distanceTo(const Obstacle::HalfPlane& half, PrecisePoint point);
 /// The half planes of the obstacle of `segment` for `shape`, as Obstacle numbers them.
 Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std::size_t index);
 
+/// Where a path enters an obstacle.
+struct IdealEntry {
+  Fraction time;     ///< as a fraction of the displacement, in [0, 1]
+  std::size_t edge;  ///< index of the half plane whose edge is entered
+
+  friend bool operator==(const IdealEntry&, const IdealEntry&) = default;
+};
+
 /// Where the ideal path enters the obstacle of `segment` for `shape`. A path that starts inside enters at once, through
 /// the nearest edge, unless it leaves through it. Within Tolerances::kOnEdge of an edge is outside.
-std::optional<Sweep::ClipInterval> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
-                                             PrecisePoint displacement);
-/// The same with a prebuilt obstacle. `positions` must contain the path.
-std::optional<Sweep::ClipInterval> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
-                                             PrecisePoint displacement);
+std::optional<IdealEntry> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
+                                    PrecisePoint displacement);
+/// The edge of the obstacle that a path enters at once because it starts on it, more than a subunit inside of all other
+/// half planes. Nothing in all other cases. `positions` must contain the start.
+std::optional<std::size_t> touchedEdge(Obstacle& obstacle, const Box& positions, PrecisePoint from,
+                                       PrecisePoint displacement);
+
+/// As `clipIdeal` above with a prebuilt obstacle. `positions` must contain the path. Fast where there is a touchedEdge,
+/// which is usual.
+std::optional<IdealEntry> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
+                                    PrecisePoint displacement);
 
 /// An edge of an obstacle: its half plane, and where it begins and ends along perpendicular(normal).
 struct ObstacleEdge {

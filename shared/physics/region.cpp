@@ -114,27 +114,45 @@ void Region::keepSeparation(const Sweep& sweep, std::size_t entry, const Obstacl
   if (sweep.isExcluded(obstacle.separatingHalfPlane())) separating_[entry] = obstacle.separatingHalfPlane();
 }
 
-std::optional<Sweep::ClipInterval> Region::clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
-                                                     PrecisePoint displacement) {
+std::optional<IdealEntry> Region::clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
+                                            PrecisePoint displacement) {
   if (obstacleOf_[entry] == kNoObstacle)
     return platon::clipIdeal(*shape_, part_->segments[segments_[entry]], from, displacement);
   Obstacle& obstacle = this->obstacle(entry, *shape_);
-  const auto interval = platon::clipIdeal(obstacle, sweep.path().grown(Tolerances::kNear), from, displacement);
-  if (!interval) keepSeparation(sweep, entry, obstacle);
-  return interval;
+  const auto entered = platon::clipIdeal(obstacle, sweep.path().grown(Tolerances::kNear), from, displacement);
+  if (!entered) keepSeparation(sweep, entry, obstacle);
+  return entered;
 }
 
-ObstacleEdge Region::edgeOf(std::size_t entry, std::size_t index) const {
+std::optional<std::size_t> Region::touchedEdge(std::size_t entry, const Convex& shape, PrecisePoint from,
+                                               PrecisePoint displacement) {
+  if (shape_ != &shape || !hasObstacle(entry)) return std::nullopt;
+  const Point place = rounded(from);
+  return platon::touchedEdge(obstacles_[obstacleOf_[entry]], Box{place, place}.grown(1), from, displacement);
+}
+
+bool Region::entersAtOnce(std::size_t entry, PrecisePoint from, PrecisePoint displacement) {
+  const Box positions = Box{rounded(from), rounded(from)}.swept(rounded(displacement)).grown(2);
+  const auto entered = obstacleOf_[entry] == kNoObstacle
+                           ? platon::clipIdeal(*shape_, part_->segments[segments_[entry]], from, displacement)
+                           : platon::clipIdeal(obstacle(entry, *shape_), positions, from, displacement);
+  return entered && entered->time.numerator == 0;
+}
+
+ObstacleEdge Region::edgeOf(std::size_t entry, std::size_t index) {
   const Segment& segment = part_->segments[segments_[entry]];
-  const Obstacle::HalfPlane half =
-      hasObstacle(entry) ? obstacles_[obstacleOf_[entry]].halfPlanes()[index] : halfPlaneOf(*shape_, segment, index);
-  return platon::edgeOf(*shape_, segment, half);
+  if (!hasObstacle(entry)) return platon::edgeOf(*shape_, segment, halfPlaneOf(*shape_, segment, index));
+  const Obstacle::HalfPlane& half = obstacles_[obstacleOf_[entry]].halfPlanes()[index];
+  ObstacleEdge& edge = touched_[obstacleOf_[entry]];
+  if (edge.half.normal != half.normal) edge = platon::edgeOf(*shape_, segment, half);
+  return edge;
 }
 
 void Region::allocateObstacle(std::size_t entry) {
   if (unused_.empty()) {
     obstacleOf_[entry] = static_cast<std::uint32_t>(obstacles_.size());
     obstacles_.emplace_back();
+    touched_.emplace_back();
     return;
   }
   obstacleOf_[entry] = unused_.back();

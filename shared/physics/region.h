@@ -75,10 +75,16 @@ class Region {
   }
   /// Clips the ideal path of `shape` against the segment at `entry`, where `mayOverlap` was true for `sweep`. The path
   /// must be within the margin of `sweep` of its displacement.
-  std::optional<Sweep::ClipInterval> clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
-                                               PrecisePoint displacement);
+  std::optional<IdealEntry> clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
+                                      PrecisePoint displacement);
+  /// Whether the ideal path of the shape of the last sweep enters the obstacle at `entry` at its start.
+  bool entersAtOnce(std::size_t entry, PrecisePoint from, PrecisePoint displacement);
+  /// The edge of the obstacle at `entry` that a path of `shape` enters at once because it starts on it, far from all
+  /// others; the result of `clipIdeal` is the same. Nothing in other cases, or if the obstacle is not known.
+  std::optional<std::size_t> touchedEdge(std::size_t entry, const Convex& shape, PrecisePoint from,
+                                         PrecisePoint displacement);
   /// The edge on the half plane of that number of the obstacle at `entry`.
-  ObstacleEdge edgeOf(std::size_t entry, std::size_t index) const;
+  ObstacleEdge edgeOf(std::size_t entry, std::size_t index);
   /// The collision that belongs to the result of `clip`.
   Hit hitOf(std::size_t entry, const Sweep::ClipInterval& interval) const {
     if (hasObstacle(entry)) return Sweep::hitOf(obstacles_[obstacleOf_[entry]], interval);
@@ -102,7 +108,10 @@ class Region {
   void allocateObstacle(std::size_t entry);
   Obstacle& obstacle(std::size_t entry, const Convex& shape) {
     Obstacle& obstacle = obstacles_[obstacleOf_[entry]];
-    if (!obstacle.belongsTo(shape)) obstacle.build(shape, part_->segments[segments_[entry]]);
+    if (!obstacle.belongsTo(shape)) {
+      obstacle.build(shape, part_->segments[segments_[entry]]);
+      touched_[obstacleOf_[entry]] = {};
+    }
     return obstacle;
   }
 
@@ -115,6 +124,7 @@ class Region {
   std::vector<Obstacle::HalfPlane> separating_;  // by entry: one that excluded a displacement, or kNoHalfPlane
   std::vector<std::uint32_t> obstacleOf_;        // by entry: index into obstacles_, or kNoObstacle
   std::vector<Obstacle> obstacles_;
+  std::vector<ObstacleEdge> touched_;  // by obstacle: the result of the last edgeOf; its normal is (0, 0) before
   std::vector<std::uint32_t> unused_;  // indices of obstacles without an entry
 };
 

@@ -108,7 +108,8 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   StepScratch& scratch = *scratch_;
   EntityState& entity = scratch.entities[index];
   EntityCache& cache = load(index, entity, further);
-  if (observer == nullptr && flyFreely(entity, cache.instances, cache.regions, scratch.work)) return cache.rest.forget();
+  const bool mayFly = observer == nullptr && cache.touched == Collider::kNoSegment;
+  if (mayFly && flyFreely(entity, cache.instances, cache.regions, scratch.work)) return cache.rest.forget();
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
   EntityStep step = beginStep(index, entity, observer);
@@ -120,8 +121,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   const Collider& collider = scratch.buffers.collider;
   if (collider.scope() == Rules::Scope::kEverything) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
-  cache.rest.record(state_.entities[index], further, entity, furtherAfter,
-                                    scratch.events.since(firstEvent), collider);
+  cache.rest.record(state_.entities[index], further, entity, furtherAfter, scratch.events.since(firstEvent), collider);
 }
 
 // Loads the instances of an entity for a step. `state` and `further` may differ from its state in this world.
@@ -136,7 +136,7 @@ EntityStep World::beginStep(std::uint32_t index, EntityState& state, StepObserve
   StepScratch& scratch = *scratch_;
   EntityCache& cache = scratch.caches[index];
   return EntityStep(Entity(*this, index), state, cache.instances,
-                    {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer});
+                    {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer, cache.touched});
 }
 
 // A callback that causes events has them delivered after those that wait.

@@ -1,5 +1,7 @@
 #include "shared/physics/step/entity_step.h"
 
+#include <utility>
+
 #include "shared/physics/step/follow.h"
 #include "shared/physics/step/hit_frame.h"
 #include "shared/physics/step/segment_ends.h"
@@ -18,6 +20,7 @@ Collider& begun(const Entity& entity, const Instances& instances, const EntitySt
 EntityStep::EntityStep(const Entity& entity, EntityState& state, Instances& instances, const Context& context)
     : state_(state),
       headingBefore_(state.heading),
+      touched_(context.touched),
       refusedWarps_(context.buffers.refusedWarps),
       contacts_(entity.id(), instances, begun(entity, instances, context), context.events, context.buffers.changes),
       mover_(state, instances, context.buffers.collider, contacts_,
@@ -33,8 +36,8 @@ void EntityStep::translate(Point velocity, Angle heading) {
     insertReachedInstances();
     return;
   }
-  for (int legs = 0; legs < kMaxLegs && mover_.moves() <= kMaxLegs - kMovesOfLeg && slide_.remaining != PrecisePoint();
-       ++legs) {
+  for (int legs = slideOn() ? 2 : 0;
+       legs < kMaxLegs && mover_.moves() <= kMaxLegs - kMovesOfLeg && slide_.remaining != PrecisePoint(); ++legs) {
     const LegPlan plan = nextPlan();
     if (plan.displacement == PrecisePoint()) break;
     Leg leg{plan.displacement};
@@ -44,6 +47,30 @@ void EntityStep::translate(Point velocity, Angle heading) {
   }
   if (slide_.contact) mover_.dropUnreached();
   storeRemainder();
+}
+
+// The first two legs of a body that still slides along the segment of the last step: one that is stopped at once, for
+// which no search is needed, and one along the edge. Returns false, and does nothing, in other cases.
+bool EntityStep::slideOn() {
+  const std::uint32_t touched = std::exchange(touched_, Collider::kNoSegment);
+  const bool isNear =
+      maxNorm(slide_.place - precise(mover_.position())) < (Tolerances::kContactGap - 1) * PrecisePoint::kOne;
+  if (touched == Collider::kNoSegment || !isNear || !mover_.instances().isAlone()) return false;
+  const auto hit = mover_.collider().touching(mover_.instances(), touched, slide_.place, slide_.remaining);
+  if (!hit || isBlockedByEnd(slide_, *hit, slide_.place, slide_.remaining)) return false;
+  slide_.contact = hit;
+  const LegPlan plan = slide_.next();
+  Leg leg{plan.displacement};
+  if (plan.displacement == PrecisePoint() ||
+      !prepareSlide(leg, mover_, slide_.place, *hit, slide_.remaining, refusedWarps_)) {
+    slide_.contact.reset();
+    return false;
+  }
+  touched_ = touched;
+  contacts_.addContact(*hit);
+  executeLeg(leg, plan);
+  if (!mover_.instances().isAlone()) rehome();
+  return true;
 }
 
 bool EntityStep::insertReachedInstances() {
@@ -88,6 +115,7 @@ void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
     slide_.place = precise(mover_.position());
   }
   if (isStopped) contacts_.addContact(*leg.hit);
+  if (isStopped && leg.hit->placement == 0 && touched_ == Collider::kNoSegment) touched_ = leg.hit->segment;
 }
 
 // Whether the body is caught between the present contact and `hit`: the slide along each leads into the other, both are

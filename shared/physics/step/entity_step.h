@@ -47,6 +47,7 @@ class EntityStep {
     Rules& rules;
     StepEvents& events;
     StepObserver* observer;
+    std::uint32_t& touched;  ///< the segment of the home part that stopped the body first, or Collider::kNoSegment
   };
   /// Starts the step of an entity that is in a part. `instances` have been loaded from `state`. The step changes both,
   /// not the entity's state in its world.
@@ -69,6 +70,7 @@ class EntityStep {
   void finish(std::vector<InstanceState>& further);
 
  private:
+  bool slideOn();
   LegPlan nextPlan();
   void executeLeg(Leg& leg, const LegPlan& plan);
   void stopInWedge(const LegHit& hit, PrecisePoint remaining);
@@ -79,6 +81,7 @@ class EntityStep {
 
   EntityState& state_;
   Angle headingBefore_;  // of the entity at the start of the step
+  std::uint32_t& touched_;
   std::vector<Collider::WarpRef>& refusedWarps_;
   StepContacts contacts_;
   Mover mover_;

@@ -121,4 +121,15 @@ void prepareLeg(Leg& leg, Mover& mover, PrecisePoint from, const LegHit* slidesO
   if (mover.collider().isNearWarps(mover.instances())) search.insertInstances();
 }
 
+bool prepareSlide(Leg& leg, Mover& mover, PrecisePoint from, const LegHit& contact, PrecisePoint wanted,
+                  std::vector<Collider::WarpRef>& refused) {
+  refused.clear();
+  LegSearch search(leg, mover, from, &contact, refused);
+  if (search.clampToRange()) return false;
+  search.findHit();
+  if (mover.collider().entersEarlier(mover.instances(), contact.segment, from, wanted)) return false;
+  if (mover.collider().isNearWarps(mover.instances())) search.insertInstances();
+  return true;
+}
+
 }  // namespace platon

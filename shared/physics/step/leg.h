@@ -36,5 +36,9 @@ struct Leg {
 /// is discarded.
 void prepareLeg(Leg& leg, Mover& mover, PrecisePoint from, const LegHit* slidesOn,
                 std::vector<Collider::WarpRef>& refused);
+/// The same for a leg that slides on along a contact of the home instance, which the displacement `wanted` has met at
+/// once. Returns false, and inserts nothing, if it would have met another segment instead.
+bool prepareSlide(Leg& leg, Mover& mover, PrecisePoint from, const LegHit& contact, PrecisePoint wanted,
+                  std::vector<Collider::WarpRef>& refused);
 
 }  // namespace platon

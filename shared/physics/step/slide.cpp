@@ -76,10 +76,10 @@ bool Slide::isCaughtAt(const LegHit& hit) const {
 
 // Whether a displacement of the place at once enters the obstacle of the contact.
 bool Slide::leadsIntoContact(PrecisePoint displacement) const {
-  const auto interval =
+  const auto entered =
       clipIdeal(*placementOf(instances, *contact).shape, segmentOf(instances, *contact),
                 instances.idealOf(contact->placement, place), fromHome(instances, *contact, displacement));
-  return interval && maxNorm(scaled(displacement, interval->enter)) <= Tolerances::kNoProgress;
+  return entered && maxNorm(scaled(displacement, entered->time)) <= Tolerances::kNoProgress;
 }
 
 void Slide::rotateFrame(Angle turn) {

@@ -22,6 +22,7 @@ struct EntityCache {
   Instances instances;
   std::vector<Region> regions;
   Rest rest;
+  std::uint32_t touched = Collider::kNoSegment;  ///< see EntityStep::Context
 };
 
 /// Derived state of a world: caches and buffers. Not saved or copied; influences speed only.

@@ -50,31 +50,58 @@ TEST(ClipIdealTest, AgreesWithTheSweepOnLatticePaths) {
     sweep.start(shape, from, by);
     const auto hit = sweep.against(segment);
     if (hit && hit->side == Hit::Side::kInside) continue;
-    const auto interval = clipIdeal(shape, segment, precise(from), precise(by));
-    ASSERT_EQ(interval.has_value(), hit.has_value()) << "seed " << kSeed << ", round " << round;
+    const auto entered = clipIdeal(shape, segment, precise(from), precise(by));
+    ASSERT_EQ(entered.has_value(), hit.has_value()) << "seed " << kSeed << ", round " << round;
     if (!hit) continue;
     ++hits;
-    ASSERT_EQ(interval->enter, hit->time) << "seed " << kSeed << ", round " << round;
-    ASSERT_EQ(Sweep::hitOf(shape, segment, *interval).normal, hit->normal) << "seed " << kSeed << ", round " << round;
+    ASSERT_EQ(entered->time, hit->time) << "seed " << kSeed << ", round " << round;
+    ASSERT_EQ(halfPlaneOf(shape, segment, entered->edge).normal, hit->normal)
+        << "seed " << kSeed << ", round " << round;
   }
   EXPECT_GT(hits, 2000);
+}
+
+// For places on an edge: some near its middle, some at its ends, some in the middle of the obstacle.
+TEST(ClipIdealTest, AnObstacleAgreesWithItsShapeAndSegment) {
+  sim::SeededRandom random(kSeed + 1);
+  int atOnce = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const Convex shape = randomConvex(random, 40);
+    const Segment segment{random.vector(60), round % 8 == 0 ? random.vector(60) : random.vector(300)};
+    Obstacle obstacle;
+    obstacle.build(shape, segment);
+    const Obstacle::HalfPlane& half = obstacle.halfPlanes()[random.below(obstacle.halfPlanes().size())];
+    const Point noise = random.vector(3 * static_cast<std::int32_t>(Tolerances::kOnEdge));
+    PrecisePoint from = putOnto(half, precise(random.vector(100)));
+    if (round % 4 == 0) {  // where two edges, or what would continue them, meet
+      const Obstacle::HalfPlane& other = obstacle.halfPlanes()[random.below(obstacle.halfPlanes().size())];
+      for (int i = 0; i < 100; ++i) from = putOnto(i % 2 == 0 ? other : half, from);
+    }
+    from = from + PrecisePoint{noise.x, noise.y};
+    const PrecisePoint by = precise(random.vector(round % 3 == 0 ? 2 : 300));
+    const Box path = Box{rounded(from), rounded(from)}.swept(rounded(by)).grown(2);
+    const auto entered = clipIdeal(obstacle, path, from, by);
+    ASSERT_EQ(entered, clipIdeal(shape, segment, from, by)) << "seed " << kSeed + 1 << ", round " << round;
+    atOnce += entered && entered->time.numerator == 0 ? 1 : 0;
+  }
+  EXPECT_GT(atOnce, 1500);
 }
 
 TEST(ClipIdealTest, APlaceOnAnEdgeTouchesIt) {
   const auto from = [](std::int64_t above) { return PrecisePoint{0, 10 * kOne + above}; };
   const PrecisePoint down{0, -5 * kOne};
   for (const std::int64_t above : {-Tolerances::kOnEdge, std::int64_t{0}, Tolerances::kOnEdge}) {
-    EXPECT_EQ(clipIdeal(kSquare, kFloor, from(above), down)->enter, (Fraction{0, 1})) << above;
+    EXPECT_EQ(clipIdeal(kSquare, kFloor, from(above), down)->time, (Fraction{0, 1})) << above;
     EXPECT_FALSE(clipIdeal(kSquare, kFloor, from(above), {7 * kOne, 0})) << above;
   }
 }
 
 TEST(ClipIdealTest, APathThatStartsInsideEntersThroughTheNearestEdgeUnlessItLeavesThroughIt) {
   const PrecisePoint inside{0, 9 * kOne};
-  const auto interval = clipIdeal(kSquare, kFloor, inside, {3 * kOne, -kOne});
-  ASSERT_TRUE(interval);
-  EXPECT_EQ(interval->enter, (Fraction{0, 1}));
-  EXPECT_EQ(halfPlaneOf(kSquare, kFloor, interval->entered).normal, kTop.normal);
+  const auto entered = clipIdeal(kSquare, kFloor, inside, {3 * kOne, -kOne});
+  ASSERT_TRUE(entered);
+  EXPECT_EQ(entered->time, (Fraction{0, 1}));
+  EXPECT_EQ(halfPlaneOf(kSquare, kFloor, entered->edge).normal, kTop.normal);
   EXPECT_FALSE(clipIdeal(kSquare, kFloor, inside, {3 * kOne, kOne}));
 }
 
@@ -85,8 +112,8 @@ TEST(ClipIdealTest, AtACornerASideTakesPrecedenceAndThenTheSmallestAngle) {
   const PrecisePoint flat{-20 * kOne, -10 * kOne};
   const auto normal = [](const Segment& segment, PrecisePoint corner, PrecisePoint by) {
     const PrecisePoint from = corner - PrecisePoint{by.x / 2, by.y / 2};
-    const auto interval = clipIdeal(kSquare, segment, from, by);
-    return interval ? halfPlaneOf(kSquare, segment, interval->entered).normal : Point();
+    const auto entered = clipIdeal(kSquare, segment, from, by);
+    return entered ? halfPlaneOf(kSquare, segment, entered->edge).normal : Point();
   };
   EXPECT_EQ(normal(kFloor, {110 * kOne, 10 * kOne}, steep).x, 0) << "the side";
   EXPECT_EQ(normal(kFloor, {110 * kOne, 10 * kOne}, flat).x, 0) << "the side";
@@ -108,12 +135,12 @@ TEST(ClipIdealTest, AtACornerThatIsAlmostStraightASideTakesPrecedenceOverTheEnd)
   const Segment rise{{0, 0}, {-15744, 30}};
   const Point corner(3633, 8768);
   for (const std::int64_t above : {-2, -1, 0, 1, 2}) {
-    const auto interval =
+    const auto entered =
         clipIdeal(octagon, rise, precise(corner + Point(223, 0)) + PrecisePoint{0, above}, {-718 * kOne, 0});
-    ASSERT_TRUE(interval);
-    EXPECT_EQ(halfPlaneOf(octagon, rise, interval->entered).normal, Point(30, 15744)) << above;
+    ASSERT_TRUE(entered);
+    EXPECT_EQ(halfPlaneOf(octagon, rise, entered->edge).normal, Point(30, 15744)) << above;
     const double at =
-        718 * static_cast<double>(interval->enter.numerator) / static_cast<double>(interval->enter.denominator);
+        718 * static_cast<double>(entered->time.numerator) / static_cast<double>(entered->time.denominator);
     EXPECT_NEAR(at, 223, 2e-5) << above;
   }
 }

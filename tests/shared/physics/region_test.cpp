@@ -129,12 +129,11 @@ TEST(RegionTest, ClipsIdealPathsLikeTheObstacleAlone) {
       const bool mayOverlap = region.mayOverlap(sweep, entry, shape);
       ASSERT_TRUE(mayOverlap || !expected) << "seed " << kSeed << ", path " << i;
       if (!mayOverlap) continue;
-      const auto interval = region.clipIdeal(sweep, entry, from, precise(moved));
-      ASSERT_EQ(interval.has_value(), expected.has_value()) << "seed " << kSeed << ", path " << i;
-      if (!interval) continue;
-      ASSERT_EQ(std::tie(interval->enter, interval->entered), std::tie(expected->enter, expected->entered));
-      const ObstacleEdge edge = region.edgeOf(entry, interval->entered);
-      ASSERT_EQ(edge.half.normal, region.hitOf(entry, *interval).normal);
+      const auto entered = region.clipIdeal(sweep, entry, from, precise(moved));
+      ASSERT_EQ(entered, expected) << "seed " << kSeed << ", path " << i;
+      if (!entered) continue;
+      const ObstacleEdge edge = region.edgeOf(entry, entered->edge);
+      ASSERT_EQ(edge.half.normal, region.hitOf(entry, {.enter = entered->time, .entered = entered->edge}).normal);
       ++hits;
     }
   }
