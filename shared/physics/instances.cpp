@@ -181,6 +181,11 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   return true;
 }
 
+void Instances::reuseIds(std::uint16_t first) {
+  if (std::none_of(placements_.begin(), placements_.end(), [](const Placement& placement) { return placement.fresh; }))
+    nextId_ = first;
+}
+
 void Instances::moveHomeTo(Point position) {
   for (std::size_t i = 1; i < placements_.size(); ++i) placements_[i].position = placements_[i].at(position);
   home().position = home().anchor = home().homeAnchor = position;
@@ -261,11 +266,27 @@ bool Instances::isBeyondWarp(std::size_t index) const {
   return cross(in.b - in.a, centreOf(child) - in.a) >= 0;
 }
 
-bool Instances::containsCentre(std::size_t index) const {
-  const auto& warps = placements_[index].part->warps;
-  const Point centre = centreOf(placements_[index]);
-  return std::all_of(warps.begin(), warps.end(),
-                     [&](const auto& warp) { return cross(warp.from.b - warp.from.a, centre - warp.from.a) >= 0; });
+bool Instances::isInside(const MapGeometry& part, Point centre) {
+  return std::all_of(part.warps.begin(), part.warps.end(),
+                     [&](const Warp& warp) { return cross(warp.from.b - warp.from.a, centre - warp.from.a) >= 0; });
+}
+
+// Tries it, and takes it back.
+bool Instances::canRehomeAt(Point home, Collider& collider) {
+  before_ = placements_;
+  const std::uint32_t crossings = crossings_;
+  const bool hasRehomed = hasRehomed_;
+  moveHomeTo(home);
+  PrecisePoint remainder;
+  while (needsRehome()) {
+    correctDrift(collider);
+    if (!rehome(remainder)) break;
+  }
+  const bool can = !needsRehome();
+  placements_.swap(before_);
+  crossings_ = crossings;
+  hasRehomed_ = hasRehomed;
+  return can;
 }
 
 void Instances::makeHome(std::size_t nextHome) {

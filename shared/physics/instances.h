@@ -120,6 +120,11 @@ class Instances {
 
   /// Whether the centre of the shape has crossed into the part of another instance, which then has to become home.
   bool needsRehome() const { return !isAlone() && nextHome() != Placement::kNone; }
+  /// Whether the home instance can be at `home` with the centre of the shape in the home part, perhaps after some
+  /// rehomes.
+  bool mayBeAt(Point home, Collider& collider) {
+    return isAlone() || containsCentreAt(home) || canRehomeAt(home, collider);
+  }
   /// Corrects drift: moves every further instance whose rounding error has grown to the free lattice point nearest to
   /// its exact position. Returns whether any moved.
   bool correctDrift(Collider& collider);
@@ -128,6 +133,9 @@ class Instances {
   /// when an instance would be farther than kMaxError from its exact position. Converts `remainder`, which belongs to
   /// the home position, so that position plus remainder stay the same point.
   std::optional<Angle> rehome(PrecisePoint& remainder);
+  /// Gives the ids from `first` on again if all instances that have got one are removed: so what a body inserts and
+  /// removes in each tick does not change its state. Requires that the others are not fresh.
+  void reuseIds(std::uint16_t first);
   /// Removes the instances whose parent, with `margin`, no longer reaches the warp segment. Returns whether any was
   /// removed.
   bool dropUnreached(std::int32_t margin, Collider& collider) { return !isAlone() && dropOthers(margin, collider); }
@@ -142,7 +150,12 @@ class Instances {
   std::size_t nextHome() const;
   std::size_t childOfHome(std::size_t index) const;
   bool isBeyondWarp(std::size_t index) const;
-  bool containsCentre(std::size_t index) const;
+  bool containsCentre(std::size_t index) const {
+    return isInside(*placements_[index].part, centreOf(placements_[index]));
+  }
+  bool containsCentreAt(Point position) const { return isInside(*home().part, position + home().shape->centre()); }
+  static bool isInside(const MapGeometry& part, Point centre);
+  bool canRehomeAt(Point home, Collider& collider);
   void makeHome(std::size_t nextHome);
   bool dropOthers(std::int32_t margin, Collider& collider);
   void anchorAll();
@@ -167,6 +180,7 @@ class Instances {
   std::vector<Placement> placements_;
   // Work space, kept between steps to avoid allocations.
   std::vector<Placement> undo_;
+  std::vector<Placement> before_;
   std::vector<std::uint8_t> kept_;
 };
 

@@ -20,6 +20,7 @@ Collider& begun(const Entity& entity, const Instances& instances, const EntitySt
 EntityStep::EntityStep(const Entity& entity, EntityState& state, Instances& instances, const Context& context)
     : state_(state),
       headingBefore_(state.heading),
+      firstId_(state.nextId),
       touched_(context.touched),
       refusedWarps_(context.buffers.refusedWarps),
       contacts_(entity.id(), instances, begun(entity, instances, context), context.events, context.buffers.changes),
@@ -104,15 +105,18 @@ void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
       pass(*leg.hit, slide_.contact ? *slide_.contact : *leg.hit, end, remaining))
     return;
   const bool isNear = maxNorm(end - precise(mover_.position())) <= Tolerances::kContactGap * PrecisePoint::kOne;
-  slide_.remaining = remaining;
+  const Point start = mover_.position();
+  // A leg that has no room for another instance would be repeated.
+  slide_.remaining = leg.end == Leg::End::kFull && !progresses ? PrecisePoint() : remaining;
   slide_.contact.reset();
   if (progresses) idleLegs_ = 0;
   if ((!progresses && isNear) || follow(mover_, {end, leg.hit ? &*leg.hit : nullptr, slide_.tick})) {
     if (progresses || plan.cut) slide_.place = end;
     if (isStopped) slide_.contact = leg.hit;
-  } else {
-    if (!fallBack(mover_, end)) slide_.remaining = PrecisePoint();
+  } else if (fallBack(mover_, end) || mover_.position() != start) {
     slide_.place = precise(mover_.position());
+  } else {
+    slide_.remaining = PrecisePoint();  // so the next tick ends in the same way
   }
   if (isStopped) contacts_.addContact(*leg.hit);
   if (isStopped && leg.hit->placement == 0 && touched_ == Collider::kNoSegment) touched_ = leg.hit->segment;
@@ -163,6 +167,7 @@ void EntityStep::storeRemainder() {
 }
 
 void EntityStep::finish(std::vector<InstanceState>& further) {
+  mover_.instances().reuseIds(firstId_);
   contacts_.finish(state_.heading - headingBefore_);
   store(further);
 }

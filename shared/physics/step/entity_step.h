@@ -80,7 +80,8 @@ class EntityStep {
   void storeRemainder();
 
   EntityState& state_;
-  Angle headingBefore_;  // of the entity at the start of the step
+  Angle headingBefore_;    // of the entity at the start of the step
+  std::uint16_t firstId_;  // of the instances that the step inserts
   std::uint32_t& touched_;
   std::vector<Collider::WarpRef>& refusedWarps_;
   StepContacts contacts_;

@@ -95,7 +95,8 @@ bool followByDetour(Mover& mover, const FollowAim& aim) {
   for (const Point offset : kPlaces) {
     const Point place = nearest + offset;
     const bool isNear = squaredDistance(place, aim.end) <= kSquaredNear;
-    if (isNear && mayStandAt(mover, aim, place) && mover.allInRange(place)) places[count++] = place;
+    if (isNear && mayStandAt(mover, aim, place) && mover.allInRange(place) && mover.mayBeAt(place))
+      places[count++] = place;
   }
   for (const Point detour : std::span(kDetours).subspan(1)) {
     const Point over = start + detour;
@@ -103,6 +104,8 @@ bool followByDetour(Mover& mover, const FollowAim& aim) {
     for (const Point place : std::span(places).first(count)) {
       if (!mover.isFree(over, place)) continue;
       mover.moveTo(over);
+      // Rules::pierce is asked before each move.
+      if (!mover.isFree(over, place)) return false;
       mover.moveTo(place);
       return true;
     }
@@ -115,9 +118,11 @@ bool followByDetour(Mover& mover, const FollowAim& aim) {
 bool followFarther(Mover& mover, const FollowAim& aim) {
   const auto place = nearestReachable(mover, aim);
   const bool isNear = place && squaredDistance(*place, aim.end) <= kSquaredNear;
+  const Point start = mover.position();
   if (!isNear && followByDetour(mover, aim)) return true;
-  if (place) mover.moveTo(*place);
-  return place.has_value();
+  if (!place || mover.position() != start) return false;
+  mover.moveTo(*place);
+  return true;
 }
 
 }  // namespace
@@ -137,7 +142,8 @@ bool fallBack(Mover& mover, PrecisePoint end) {
   Point move = displacement;
   if (const auto hit = mover.collider().first(mover.instances(), start, start + displacement))
     move = scaleTruncated(displacement, hit->hit.time);
-  while (move != Point() && !(mover.allInRange(start + move) && mover.isFree(start, start + move)))
+  while (move != Point() &&
+         !(mover.allInRange(start + move) && mover.isFree(start, start + move) && mover.mayBeAt(start + move)))
     move = {move.x / 2, move.y / 2};
   mover.moveTo(start + move);
   return move != Point();

@@ -14,8 +14,9 @@ struct FollowAim {
 };
 
 /// Moves the position near to the ideal place, by at most two straight moves, which the exact sweep proves free (I1).
-/// Returns false, and moves nothing, if there is no such way to a place within Tolerances::kFollow
-/// of the rounded ideal place. Requires that the instances have not moved since prepareLeg.
+/// Returns false if there is no such way to a place within Tolerances::kFollow of the rounded ideal place: it has then
+/// moved nothing, or made the first of two moves, if after it Rules::pierce blocks the second. Requires that the
+/// instances have not moved since prepareLeg.
 bool follow(Mover& mover, const FollowAim& aim);
 /// Moves the position towards `end` as far as the lattice allows. Returns whether it moved.
 bool fallBack(Mover& mover, PrecisePoint end);

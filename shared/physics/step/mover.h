@@ -50,8 +50,11 @@ class Mover {
   /// Whether `place` is the position, or is in range and the straight way to it is free. Requires that the instances
   /// have not moved since prepareLeg. Fast near the leg.
   bool isReachable(Point place) {
-    return place == position() || (allInRange(place) && collider_.isFreeInLeg(instances_, place));
+    return place == position() || (allInRange(place) && collider_.isFreeInLeg(instances_, place) && mayBeAt(place));
   }
+  /// Whether the body can be at `place`, where its centre may be in another part: in narrow places no arrangement of
+  /// the instances may be near enough to the exact one.
+  bool mayBeAt(Point place) { return instances_.mayBeAt(place, collider_); }
   /// Moves the home instance straight to `position`, and all others with it. The caller has proved that the way is
   /// free (I1).
   void moveTo(Point position);

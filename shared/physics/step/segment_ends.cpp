@@ -40,12 +40,17 @@ bool isImmediate(const Hit& hit, Point displacement) {
 // The search for a nudge past the end that `end` touches.
 class EndPassage {
  public:
-  EndPassage(Mover& mover, PrecisePoint tick, const LegHit& end)
-      : mover_(mover), collider_(mover.collider()), instances_(mover.instances()), tick_(tick), end_(end) {}
+  EndPassage(Mover& mover, PrecisePoint tick, const LegHit& end, PrecisePoint ideal)
+      : mover_(mover),
+        collider_(mover.collider()),
+        instances_(mover.instances()),
+        tick_(tick),
+        end_(end),
+        ideal_(ideal) {}
 
-  /// Whether the body touches an end of the segment at the ideal place `from`, perhaps with a vertex. If so, the hit
-  /// becomes one of that end, as `nudge` requires.
-  bool touchesEnd(PrecisePoint from);
+  /// Whether the body touches an end of the segment at its ideal place, perhaps with a vertex. If so, the hit becomes
+  /// one of that end, as `nudge` requires.
+  bool touchesEnd();
   /// The normal of the end in the frame of the home part.
   Point normal() const { return homeNormalOf(instances_, end_); }
   /// The position, at most kNudge subunits beside `reached`, from which the segment end is passed. The path must
@@ -55,6 +60,7 @@ class EndPassage {
  private:
   bool isAtJoint();
   bool grazes(Point reached, Point target) const;
+  bool isAhead(Point place) const;
   bool continuesPast(Point from, Point to);
   bool hitsEndAgain(Point from, Point to);
   Point awayFromEnd() const;
@@ -64,14 +70,15 @@ class EndPassage {
   const Instances& instances_;
   PrecisePoint tick_;
   LegHit end_;
+  PrecisePoint ideal_;
 };
 
-bool EndPassage::touchesEnd(PrecisePoint from) {
+bool EndPassage::touchesEnd() {
   if (end_.hit.side == Hit::Side::kSegmentEnd) return true;
   const Segment& segment = segmentOf(instances_, end_);
   const ObstacleEdge& edge = end_.edge;
   const Point tangent = perpendicular(edge.half.normal);
-  const PrecisePoint there = instances_.idealOf(end_.placement, from);
+  const PrecisePoint there = instances_.idealOf(end_.placement, ideal_);
   const int128 near = int128{Tolerances::kNoProgress} * (std::abs(tangent.x) + std::abs(tangent.y));
   const bool isHigh = distanceTo({tangent, -edge.high}, there) >= -near;
   if (!isHigh && distanceTo({tangent, -edge.low}, there) > near) return false;
@@ -86,9 +93,8 @@ std::optional<Point> EndPassage::nudge(Point reached, Point target) {
   for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;
-    const bool leadsPast = distanceTo({to - position, 0}, tick_) > 0 && dot(to - position, normal()) < 0;
-    if (!leadsPast || !mover_.allInRange(to)) continue;
-    if (continuesPast(from, to) && mover_.isFree(position, from)) return from;
+    if (!isAhead(to) || dot(to - position, normal()) >= 0 || !mover_.allInRange(to)) continue;
+    if (continuesPast(from, to) && mover_.isFree(position, from) && mover_.mayBeAt(from)) return from;
   }
   return std::nullopt;
 }
@@ -124,13 +130,20 @@ bool EndPassage::grazes(Point reached, Point target) const {
   return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
 }
 
-// Whether the path from `from` to `to` passes the end and then either continues for more than a nudge or slides along
-// the segment, away from the end.
+// Whether the tick leads from the ideal place to this one rather than back.
+bool EndPassage::isAhead(Point place) const {
+  const PrecisePoint gained = precise(place) - ideal_;
+  return int128{gained.x} * tick_.x + int128{gained.y} * tick_.y > 0;
+}
+
+// Whether the path from `from` to `to` passes the end and then either leads ahead, to its end or to the next segment,
+// or slides along the segment, away from the end. Legs never lead back, so a body that rests is not nudged for ever.
 bool EndPassage::continuesPast(Point from, Point to) {
   if (hitsEndAgain(from, to)) return false;
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
-  if (next->placement != end_.placement || next->segment != end_.segment) return !isImmediate(next->hit, to - from);
+  if (next->placement != end_.placement || next->segment != end_.segment)
+    return !isImmediate(next->hit, to - from) && isAhead(from + scaleTruncated(to - from, next->hit.time));
   const Point tangent = perpendicular(homeNormalOf(instances_, *next));
   const Point direction = distanceTo({tangent, 0}, tick_) >= 0 ? tangent : -tangent;
   return next->hit.side == Hit::Side::kSegment && dot(direction, to - from) > 0 && dot(direction, awayFromEnd()) > 0;
@@ -162,8 +175,8 @@ bool isBlockedByEnd(const Slide& slide, const LegHit& hit, PrecisePoint place, P
 
 std::optional<Nudge> findNudge(Mover& mover, const Slide& slide, const LegHit& hit, Point normal, PrecisePoint from,
                                PrecisePoint remaining) {
-  EndPassage passage(mover, slide.tick, hit);
-  if (!passage.touchesEnd(from)) return std::nullopt;
+  EndPassage passage(mover, slide.tick, hit, from);
+  if (!passage.touchesEnd()) return std::nullopt;
   const bool straight = normal == passage.normal();
   const PrecisePoint onwards = straight ? remaining : alongEdge(normal, remaining);
   const Point reached = mover.roundedAt(from);

@@ -264,7 +264,9 @@ TEST(TraceChecker, FindsTooManyMoves) {
 TEST(TraceChecker, FindsTooManyEntries) {
   SampleTrace trace = sampleTrace();
   trace.ticks.resize(1);
-  trace.ticks[0].players[0].legs.assign(101, trace.leg(0, 0));
+  trace.ticks[0].players[0].legs.assign(706, trace.leg(0, 0));
+  EXPECT_EQ(violatedRules(trace), RuleNames{});
+  trace.ticks[0].players[0].legs.assign(707, trace.leg(0, 0));
   EXPECT_EQ(violatedRules(trace), RuleNames{"I2"});
 }
 

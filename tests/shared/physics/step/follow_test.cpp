@@ -50,6 +50,23 @@ TEST_F(FollowAimTest, TakesADetourWhereTheStraightWayIsBlocked) {
   EXPECT_EQ(mover().moves(), 2);
 }
 
+// Segment 1 can be passed from the start only.
+class FromTheStart : public Rules {
+ public:
+  bool pierce(const Entity&, const SegmentRef& segment) const override {
+    return segment.index == 1 && segment.position == Point();
+  }
+};
+
+TEST_F(FollowAimTest, ADetourAsksTheRulesBeforeItsSecondMove) {
+  build({{{30, -9}, {30, -9}}, {{20, -50}, {20, 50}}});
+  FromTheStart rules;
+  collider_.begin(rules, Entity(world_, 0), instances_, regions_, work_);
+  EXPECT_FALSE(followTo(PrecisePoint{40 * PrecisePoint::kOne, PrecisePoint::kOne * 3 / 8}));
+  EXPECT_EQ(mover().moves(), 1);
+  EXPECT_LT(mover().position().x, 10);
+}
+
 TEST_F(FollowAimTest, MovesNothingWhereNoPlaceIsNear) {
   build({{{30, -100}, {30, 100}}});
   EXPECT_FALSE(followTo(precise(Point(40, 0))));
@@ -77,11 +94,13 @@ TEST(FollowTest, WhereNoPlaceIsFreeTheBodyMovesAsFarAsItCan) {
 }
 
 // The wedge is too narrow for the lattice 32 subunits above the place where the ideal body rests.
-TEST(FollowTest, InANarrowWedgeTheIdealPlaceFallsBackToThePosition) {
+TEST(FollowTest, InANarrowWedgeTheIdealPlaceStaysWhereThePositionCannotFollow) {
   Scene scene({{{70, -261}, {5, -7}}, {{-109, 127}, {-112, -82}}}, square(67), {-35, -182});
   for (int tick = 0; tick < 3; ++tick) scene.step({191, 93});
-  EXPECT_EQ(scene.entity.position(), Point(-37, -172));
-  EXPECT_EQ(scene.entity.state().remainder, Point());
+  const EntityState rested = scene.entity.state();
+  EXPECT_EQ(rested.position, Point(-37, -172));
+  scene.step({191, 93});
+  EXPECT_EQ(scene.entity.state(), rested);
 }
 
 TEST(FollowTest, OnAFloorThePositionIsTheFreeLatticePointNearestToTheIdealPlace) {
