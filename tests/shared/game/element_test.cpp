@@ -27,7 +27,8 @@ TEST(ElementTest, EveryKindHasAWordOfItsOwn) {
 
 // A program without the word cannot play a level with it, so the two must not meet.
 TEST(ElementTest, ANewWordRaisesTheRules) {
-  const std::map<std::uint32_t, std::string> wordsOfRules{{7, "oneway up hazard checkpoint key door plate "}};
+  const std::map<std::uint32_t, std::string> wordsOfRules{{7, "oneway up hazard checkpoint key door plate "},
+                                                          {8, "oneway up hazard checkpoint key door plate "}};
   std::string words;
   for (const ElementKind kind : kElementKinds) words += std::string(wordOf(kind)) + " ";
   ASSERT_TRUE(wordsOfRules.contains(kRulesVersion)) << "add the words of rules " << kRulesVersion << ": " << words;
