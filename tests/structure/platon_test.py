@@ -96,6 +96,7 @@ class Usage(Script):
         self.assertEqual(self.run_platon("fly")[0], 2)
         self.assert_refused(["join"], "join needs an address: ./platon join HOST[:PORT]")
         self.assert_refused(["package", "now"], "package has no options; see ./platon help")
+        self.assert_refused(["reference", "pdf"], "reference has no options; see ./platon help")
         self.assert_refused(["bench", "--long"], "bench has no options but --quick, --network, --attacks, --frames and --tests; see ./platon help")
         self.assert_refused(["bench", "--frames", "--quick"], "bench --frames has no option but --write; see ./platon help")
         self.assert_refused(["bench", "--tests", "x"], "bench --tests has no option but --write; see ./platon help")

@@ -18,8 +18,8 @@ inline constexpr int kTicksPerSecond = 60;
 inline constexpr std::uint32_t kMaxPlayers = 256;
 /// Longest round: five minutes.
 inline constexpr std::uint32_t kRoundTicks = 5 * 60 * kTicksPerSecond;
-/// Version of the game's rules. Raised by a change after which the same inputs give other hashes, as
-/// docs/architecture.md#versions says.
+/// Version of the game's rules. Raised by a change after which the same inputs give other hashes, as the
+/// section "Versions" of docs/architecture.md says.
 inline constexpr std::uint32_t kRulesVersion = 8;
 
 /// One round on one level: the world, the players, the goal and the round clock. A copy is an independent game.
