@@ -15,6 +15,8 @@ import tempfile
 from pathlib import Path
 
 STRICT = "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+# A user's program may do without these.
+WITHOUT = "-fno-exceptions -fno-rtti"
 PRINTS = re.compile(r"\n// It prints:\n((?:// .*\n)+)\Z")
 
 
@@ -48,20 +50,46 @@ def build_with(source, build, compiler, *options):
     run("cmake", "--build", build, "--parallel", "2")
 
 
-def check_headers(prefix, compiler):
-    """Every installed header compiles alone and includes nothing that is not installed."""
+def headers_of(prefix):
     headers = sorted(path.relative_to(prefix / "include").as_posix() for path in (prefix / "include").rglob("*.h"))
     if len(headers) < 20:
         sys.exit(f"only these headers are installed: {headers}")
-    for header in headers:
+    return headers
+
+
+def check_headers(prefix, compiler):
+    """Every installed header compiles alone and includes nothing that is not installed."""
+    for header in headers_of(prefix):
         run(compiler, "-std=c++20", *STRICT.split(), f"-I{prefix}/include", "-fsyntax-only", "-x", "c++", "-",
             input=f'#include "{header}"\n#include "{header}"\n')  # fmt: skip
+
+
+def pkg_config(prefix, *options):
+    """What pkg-config answers about the installed library."""
+    folders = {str(path.parent) for path in prefix.rglob("platon.pc")}
+    return run("pkg-config", *options, "platon", env=os.environ | {"PKG_CONFIG_PATH": ":".join(folders)}).split()
+
+
+def check_pkg_config(root, prefix, folder, names):
+    """Programs without exceptions and RTTI, by both compilers, find all that they need by pkg-config."""
+    version = re.search(r"^project\(platon VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8"), re.MULTILINE)
+    if pkg_config(prefix, "--modversion") != [version[1]]:
+        sys.exit(f"pkg-config says version {pkg_config(prefix, '--modversion')}, not {version[1]}")
+    every_header = "".join(f'#include "{header}"\n' for header in headers_of(prefix))
+    for compiler in ("g++", "clang++"):
+        command = [compiler, "-std=c++20", *STRICT.split(), *WITHOUT.split()]
+        flags = pkg_config(prefix, "--cflags")
+        run(*command, *flags, "-fsyntax-only", "-x", "c++", "-", input=every_header)
+        for name in names:
+            source = root / f"shared/examples/{name}.cpp"
+            run(*command, *flags, source, *pkg_config(prefix, "--libs"), "-o", folder / name)
+        run_examples(root, folder, names)
 
 
 def check_paths(prefix, *places):
     """No installed text names a folder in which it was built."""
     for path in prefix.rglob("*"):
-        text = path.read_text(encoding="utf-8") if path.suffix in (".cmake", ".h") else ""
+        text = path.read_text(encoding="utf-8") if path.suffix in (".cmake", ".h", ".pc") else ""
         for place in places:
             if str(place) in text:
                 sys.exit(f"{path.relative_to(prefix)} names {place}")
@@ -94,11 +122,13 @@ def check_installed(folder, root, build, compiler):
     source = shutil.copytree(root / "shared/examples", folder / "examples")
     build_with(source, folder / "build", compiler, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}")
     run_examples(root, folder / "build", sorted(path.stem for path in source.glob("*.cpp")))
+    check_pkg_config(root, prefix, folder, ["box_on_floor", "ball_round_hexahedron"])
 
 
 def check_subdirectory(folder, root, compiler):
     build_with(root / "tests/package/subdirectory", folder / "build", compiler, f"-DPLATON_ROOT={root}")
     run_examples(root, folder / "build", ["box_on_floor", "ball_round_hexahedron"])
+    run(folder / "build/refusal")
     run("cmake", "--install", folder / "build", "--prefix", folder / "prefix")
     if (folder / "prefix").exists():
         sys.exit("a part of another project is installed with it unasked")
