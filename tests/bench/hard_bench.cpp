@@ -170,8 +170,10 @@ HardResult restInNotch(const EngineKind& kind, const std::string& name, std::int
 
 std::vector<HardResult> benchHardCases(const Effort& effort) {
   const std::int64_t steps = kSteps / effort.divisor;
+  std::vector<EngineKind> kinds = engineKinds();
+  if (effort.guest != nullptr) kinds.push_back(*effort.guest);
   std::vector<HardResult> results;
-  for (const EngineKind& kind : engineKinds()) {
+  for (const EngineKind& kind : kinds) {
     results.push_back(moveIntoWedge(kind, "wedge-10-m/s", 10, steps));
     results.push_back(moveIntoWedge(kind, "wedge-100-m/s", 100, steps));
     results.push_back(moveIntoWedge(kind, "wedge-1000-m/s", 1000, steps));

@@ -7,6 +7,8 @@
 
 namespace platon::bench {
 
+struct EngineKind;
+
 /// Median, minimum and maximum of several passes.
 struct Spread {
   double median = 0;
@@ -39,9 +41,10 @@ void keep(const Value& value) {
 
 /// Amount of work of a run.
 struct Effort {
-  int passes = 15;                   ///< at least five
-  std::int64_t divisor = 1;          ///< divides the amount of work
-  std::size_t maxSegments = 100000;  ///< per scene
+  int passes = 15;                    ///< at least five
+  std::int64_t divisor = 1;           ///< divides the amount of work
+  std::size_t maxSegments = 100000;   ///< per scene
+  const EngineKind* guest = nullptr;  ///< also takes part in whole steps, hard cases and trajectories
 
   static Effort quick() { return {.passes = 5, .divisor = 10}; }
 };

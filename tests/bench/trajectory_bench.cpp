@@ -32,19 +32,18 @@ constexpr std::int64_t kFewestTerrains = 6;
 /// Error of a body whose place is not a number, or is farther away than this.
 constexpr double kLost = 1e9;
 
-const std::vector<EngineKind>& kinds() {
-  static const auto all = [] {
-    std::vector<EngineKind> kinds = engineKinds();
-    kinds.insert(kinds.begin() + 1, {kIdealPlace, &makePlatonIdealPlace});
-    return kinds;
-  }();
-  return all;
+std::vector<EngineKind> kindsOf(const Effort& effort) {
+  std::vector<EngineKind> kinds = engineKinds();
+  kinds.insert(kinds.begin() + 1, {kIdealPlace, &makePlatonIdealPlace});
+  if (effort.guest != nullptr) kinds.push_back(*effort.guest);
+  return kinds;
 }
 
 class Measurement {
  public:
   explicit Measurement(const Effort& effort)
-      : last_(*std::prev(std::upper_bound(kTimes.begin(), kTimes.end(), kTimes.back() / effort.divisor))),
+      : kinds_(kindsOf(effort)),
+        last_(*std::prev(std::upper_bound(kTimes.begin(), kTimes.end(), kTimes.back() / effort.divisor))),
         goal_(std::max(kFewestTerrains, kTerrains / effort.divisor)) {}
 
   TrajectoryResults run() {
@@ -93,8 +92,8 @@ class Measurement {
     const std::vector<Place> trajectory = idealTrajectory(ideal, ticks);
     Scene scene = toScene(exact);
     scene.subunitsPerUnit = static_cast<double>(kTerrainSubunits);
-    for (const EngineKind& kind : kinds()) {
-      if (kind.make == &makeBox2d && scene.shape.vertices().size() > kBox2dVertices) continue;
+    for (const EngineKind& kind : kinds_) {
+      if (kind.name.starts_with("box2d") && scene.shape.vertices().size() > kBox2dVertices) continue;
       follow(name, kind, scene, velocityOf(exact), trajectory);
     }
   }
@@ -115,6 +114,7 @@ class Measurement {
     }
   }
 
+  std::vector<EngineKind> kinds_;
   std::int64_t last_;
   std::int64_t goal_;
   TrajectoryResults results_;

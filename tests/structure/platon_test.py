@@ -42,11 +42,11 @@ class Script(unittest.TestCase):
             (self.folder / name).write_text(STAND_IN, encoding="utf-8")
             (self.folder / name).chmod(0o755)
 
-    def run_platon(self, *arguments, failing=""):
+    def run_platon(self, *arguments, failing="", **variables):
         """(exit code, output, calls of the stand-ins without those that ask for packages)"""
         calls = self.folder / "calls"
         calls.write_text("", encoding="utf-8")
-        environment = {"PATH": str(self.folder), "CALLS": str(calls), "HOME": str(self.folder)}
+        environment = {"PATH": str(self.folder), "CALLS": str(calls), "HOME": str(self.folder)} | variables
         if failing:
             environment["FAILING"] = failing
         result = subprocess.run([ROOT / "platon", *arguments], env=environment, stdin=subprocess.DEVNULL,
@@ -125,6 +125,24 @@ class Packages(Script):
         code, output, called = self.run_platon("test")
         self.assertEqual((code, called), (1, []))
         self.assertRegex(output, "^platon: install these and try again: .*tool cmake, .*tool Xvfb.*\n$")
+
+
+class Box2d3(Script):
+    def test_what_is_no_checkout_is_refused(self):
+        missing = self.folder / "missing"
+        for folder in (missing, self.folder):
+            code, output, called = self.run_platon("bench", "--quick", PLATON_BOX2D3=str(folder))
+            self.assertEqual((code, called), (2, []))
+            self.assertEqual(output, f"platon: PLATON_BOX2D3 names {folder}, which is not a checkout of Box2D 3: name one, or "
+                             "unset PLATON_BOX2D3\n")  # fmt: skip
+
+    def test_a_checkout_is_built_apart(self):
+        (self.folder / "include/box2d").mkdir(parents=True)
+        (self.folder / "include/box2d/id.h").touch()
+        code, output, called = self.run_platon("bench", "--quick", failing="--build build/box2d3", PLATON_BOX2D3=str(self.folder))
+        self.assertEqual(code, 1, output)  # before it would measure
+        self.assertRegex(called[-2], rf"^cmake --fresh .* -DPLATON_BOX2D3={self.folder} -DBOX2D_AVX2=(ON|OFF)$")
+        self.assertEqual(called[-1], "cmake --build build/box2d3")
 
 
 class Tests(Script):

@@ -55,7 +55,7 @@ struct EngineKind {
   std::unique_ptr<Engine> (*make)(const Scene& scene);
 };
 
-/// Limit of Box2D 2.4.
+/// Limit of Box2D 2.4 and 3.
 inline constexpr std::size_t kBox2dVertices = 8;
 
 std::unique_ptr<Engine> makePlaton(const Scene& scene);

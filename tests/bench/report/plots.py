@@ -14,6 +14,7 @@ COLOURS = {
 
 # The marks differ so that points at the same place can be told apart.
 MARKS = {"platon": 4, "platon-computed": 6, "platon+remainder": 3, "float32": 5, "float64": 7, "box2d-2.4": 9, "chipmunk-7.0": 11}
+GUEST_COLOUR, GUEST_MARK = "#7f8c8d", 13
 
 HEAD = """set terminal svg size 820,460 font 'sans,14' background '#ffffff'
 set output '{output}'
@@ -50,7 +51,7 @@ class Plots:
         for i, points in enumerate(rows.values()):
             script += f"$data{i} << EOD\n" + "\n".join(f"{x} {y}" for x, y in points) + "\nEOD\n"
         parts = [
-            f"$data{i} with {style} pt {MARKS[engine]} lc rgb '{COLOURS[engine]}' title '{engine}'"
+            f"$data{i} with {style} pt {MARKS.get(engine, GUEST_MARK)} lc rgb '{COLOURS.get(engine, GUEST_COLOUR)}' title '{engine}'"
             for i, engine in enumerate(rows)
         ]
         subprocess.run(["gnuplot"], input=script + "plot " + ", \\\n  ".join(parts) + "\n", text=True, check=True)

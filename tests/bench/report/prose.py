@@ -82,10 +82,12 @@ than 50 % of it, from the same place with the same velocity. There, the shape is
 engine. If the body overlaps nothing at that place, float64 must move on with the full shape, too. A row is named if a body is jammed \
 in more than 1 % of the half seconds:"""
 
-BOX2D_3 = """Box2D 3 is not part of this run, because Debian 12 does not have it. It was measured **outside**, in one run, against \
-the step that Platon had before the ideal path, with AVX2: 64 bodies among 100 to 100 000 segments took it 373–535 ns per body and step, and \
-Platon 152–203 ns, 0.41–0.46 times as long. In a platformer scene of that run, Platon took 0.23–0.33 times as long as the best of \
-all peers. Nothing on this page reproduces these figures."""
+BOX2D_3 = """`{0}` is a checkout of Box2D 3, built by its own CMake files, with AVX2 where the processor has it. In metres. Bodies \
+do not rotate; each segment is a two-sided `b2Segment`; four substeps, as its manual recommends, and one thread. It informs only: \
+it has no sweeps, and no comparison or aim counts it."""
+
+NO_BOX2D_3 = """Box2D 3 is not part of this run, because Debian 12 does not have it. `PLATON_BOX2D3=FOLDER ./platon bench` measures \
+the checkout in this folder, too."""
 
 MEMORY = f"""Heap bytes per segment; heap bytes per body, of {BODIES} bodies, including cached segments near it:"""
 
@@ -212,7 +214,7 @@ def memory_of_rests(data):
 def jam_lines(data):
     """The rows of whole steps in which an engine jammed."""
     for kind in (RANDOM, PLATFORMER):
-        for engine in STEP_ENGINES:
+        for engine in (*STEP_ENGINES, *data.guests()):
             rows = [(row, data.step(engine, *row, kind)) for row in data.scenes(kind)]
             named = [f"{count(s)} segments, {count(m)} {'body' if m == 1 else 'bodies'}: {100 * jam_share(r):.1f} %" for (s, m), r in rows if is_jammed(r)]
             if named:

@@ -48,6 +48,10 @@ class ReportData:
         """(segments, bodies) of the whole steps of one kind of scenes."""
         return list(dict.fromkeys((r["segments"], r["movers"]) for r in self.report["step"] if r["scenes"] == kind))
 
+    def guests(self):
+        """Engines that took part in whole steps, hard cases and trajectories because the run was asked for them. They inform only."""
+        return [engine for engine in dict.fromkeys(r["engine"] for r in self.report["step"]) if engine not in STEP_ENGINES]
+
     def sizes(self):
         """Numbers of segments of the whole steps."""
         return list(dict.fromkeys(segments for segments, _ in self.scenes()))

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from comparison import OTHERS, measures
 from plots import Plots
-from prose import (AIMED, BOX2D_3, COMPARED, DERIVED, ENGINES_USED, HARD_CASES, HEAD, JAMS, MEMORY, PARTS, PLATFORMER_STEPS,
-                   RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, TRAJECTORY, jam_lines, memory_of_rests, verdicts)  # fmt: skip
+from prose import (AIMED, BOX2D_3, COMPARED, DERIVED, ENGINES_USED, HARD_CASES, HEAD, JAMS, MEMORY, NO_BOX2D_3, PARTS,
+                   PLATFORMER_STEPS, RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, TRAJECTORY, jam_lines, memory_of_rests, verdicts)  # fmt: skip
 from report_data import (BODIES, ENGINES, IDEAL_PLACE, PATH_ENGINES, PLATFORMER, RANDOM, SEGMENTS, STEP_ENGINES, ReportData, count,
                          is_jammed)  # fmt: skip
 from targets import target_rows
@@ -45,13 +45,13 @@ def spread(result, key, digits=0):
     return f"{median} ({low}–{high})"
 
 
-def by_engine(rows, find, cell, first=""):
+def by_engine(rows, find, cell, first="", engines=ENGINES):
     """A row for each of `rows` and a column for each engine; a cell is empty if `find` returns None."""
     lines = []
     for row in rows:
-        found = [find(row, engine) for engine in ENGINES]
+        found = [find(row, engine) for engine in engines]
         lines.append([row, *("" if result is None else cell(result) for result in found)])
-    return table([first, *ENGINES], lines)
+    return table([first, *engines], lines)
 
 
 def draw_all(data, folder):
@@ -60,7 +60,7 @@ def draw_all(data, folder):
         "speed_error_step",
         {"title": "Whole steps", "x": f"ns per body and step, {BODIES} bodies, {count(SEGMENTS)} segments",
          "y": "deepest overlap in the hard cases, subunits"},
-        {engine: (data.step_ns(engine, SEGMENTS), data.overlap(engine)) for engine in ENGINES},
+        {engine: (data.step_ns(engine, SEGMENTS), data.overlap(engine)) for engine in (*ENGINES, *data.guests())},
         NO_OVERLAP)  # fmt: skip
     plots.points(
         "speed_error_sweep",
@@ -71,11 +71,11 @@ def draw_all(data, folder):
         plots.curves(
             name,
             {"title": title, "x": "segments", "y": f"ns per body and step, {BODIES} bodies"},
-            {engine: [(n, data.step_ns(engine, n, kind)) for n in data.sizes()] for engine in STEP_ENGINES})  # fmt: skip
+            {engine: [(n, data.step_ns(engine, n, kind)) for n in data.sizes()] for engine in (*STEP_ENGINES, *data.guests())})  # fmt: skip
     plots.curves(
         "error_time",
         {"title": "Error of the trajectory over time", "x": "ticks", "y": "worst distance from the ideal one, units"},
-        {engine: [(n, data.worst_path_error(engine, n)) for n in data.times()] for engine in PATH_ENGINES},
+        {engine: [(n, data.worst_path_error(engine, n)) for n in data.times()] for engine in (*PATH_ENGINES, *data.guests())},
         NO_DISTANCE)  # fmt: skip
     ladder = {}
     for result in data.report["resolution"]:
@@ -102,16 +102,18 @@ def step_times(data, kind):
     def cell(result):
         return spread(result, "nsPerStep") + (" †" if is_jammed(result) else "")
 
-    rows = [[count(s), count(m), *(cell(data.step(e, s, m, kind)) for e in STEP_ENGINES)] for s, m in data.scenes(kind)]
-    return table(["segments", "bodies", *STEP_ENGINES], rows)
+    engines = (*STEP_ENGINES, *data.guests())
+    rows = [[count(s), count(m), *(cell(data.step(e, s, m, kind)) for e in engines)] for s, m in data.scenes(kind)]
+    return table(["segments", "bodies", *engines], rows)
 
 
 def step_tables(data):
     layout = "{bytesPerSegment:.1f}; {bytesPerMover:.0f}"
-    memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in data.sizes()]
+    engines = (*ENGINES, *data.guests())
+    memory = [[count(n), *(layout.format(**data.step(e, n)) for e in engines)] for n in data.sizes()]
     jams = "\n".join(f"- {line}" for line in jam_lines(data)) or "No engine jammed in any row."
     return (STEPS, step_times(data, RANDOM), PLATFORMER_STEPS, step_times(data, PLATFORMER), memory_of_rests(data),
-            JAMS, jams, BOX2D_3, MEMORY, table(["segments", *ENGINES], memory))  # fmt: skip
+            JAMS, jams, MEMORY, table(["segments", *engines], memory))  # fmt: skip
 
 
 def hard_case_tables(data):
@@ -123,7 +125,8 @@ def hard_case_tables(data):
     )
     yield HARD_CASES.format(count(min(r["steps"] for r in data.report["hardCases"])))
     for start, end, cell in zip(("wedge", "joints", "rest"), ends, cells, strict=True):
-        yield by_engine([name for name in data.cases() if name.startswith(start)], data.hard_case, cell, end)
+        cases = [name for name in data.cases() if name.startswith(start)]
+        yield by_engine(cases, data.hard_case, cell, end, (*ENGINES, *data.guests()))
 
 
 def path_tables(data):
@@ -131,11 +134,12 @@ def path_tables(data):
     least = min(len(data.path_errors("platon", n)) for n in data.times())
     without = len(data.path_errors("platon", data.times()[0])) - len(data.path_errors("box2d-2.4", data.times()[0]))
     rows = []
+    engines = (*PATH_ENGINES, *data.guests())
     for n in data.times():
-        cells = (f"{short(data.worst_path_error(e, n))}; {short(data.median_path_error(e, n))}" for e in PATH_ENGINES)
+        cells = (f"{short(data.worst_path_error(e, n))}; {short(data.median_path_error(e, n))}" for e in engines)
         rows.append([count(n), len(data.path_errors("platon", n)), *cells])
     text = TRAJECTORY.format(**shown, least=least, without=without, ties=shown["dividedTies"] + shown["jointTies"])
-    return text, table(["ticks", "scenes", *PATH_ENGINES], rows)
+    return text, table(["ticks", "scenes", *engines], rows)
 
 
 def ladder_tables(data):
@@ -195,6 +199,11 @@ def machine():
     return f"{cpu}, {os.cpu_count()} processors"
 
 
+def used_engines(data):
+    guests = [BOX2D_3.format(engine) for engine in data.guests()]
+    return [ENGINES_USED, *(guests or [NO_BOX2D_3])]
+
+
 def document(report):
     data = ReportData(report)
     held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in target_rows(data)]
@@ -202,7 +211,7 @@ def document(report):
         "Results": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
         "Platon against each engine": comparison_tables(data),
         "Aims": [AIMED, table(["what", "aim", "measured", "holds"], held)],
-        "How each engine is used": [ENGINES_USED],
+        "How each engine is used": used_engines(data),
         "Sweeps": sweep_tables(data),
         "Whole steps": step_tables(data),
         "Hard cases": hard_case_tables(data),

@@ -58,6 +58,17 @@ class WriteReportTest(unittest.TestCase):
         self.assertRegex(page, r"times that of box2d-2.4 \(jammed in 50.0 % of the half seconds\) and")
         self.assertRegex(page, r" × chipmunk-7.0 \(built with assertions\)")
 
+    def test_an_engine_that_informs_only_has_columns(self):
+        report = copy.deepcopy(self.measured)
+        without = write_report.document(report)
+        for part in ("step", "hardCases", "trajectory"):
+            report[part] += [dict(row, engine="box2d-3.9") for row in report[part] if row["engine"] == "platon"]
+        page = write_report.document(report)
+        self.assertEqual(len(re.findall(r"\| box2d-3\.9 \|\n", page)), 7)  # two of times, one each of memory and trajectories, three of hard cases
+        self.assertIn("`box2d-3.9` is a checkout of Box2D 3", page)
+        for section in ("## Results", "## Platon against each engine", "## Aims"):
+            self.assertEqual(*(text.split(section)[1].split("\n## ")[0] for text in (page, without)))
+
 
 if __name__ == "__main__":
     WriteReportTest.bench = sys.argv.pop()

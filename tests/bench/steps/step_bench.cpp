@@ -18,13 +18,11 @@ namespace {
 
 constexpr std::size_t kPlatformerBodies = 64;
 
-const std::vector<EngineKind>& stepKinds() {
-  static const auto all = [] {
-    std::vector<EngineKind> kinds = engineKinds();
-    kinds.insert(kinds.begin() + 1, {kComputed, &makePlatonComputed});
-    return kinds;
-  }();
-  return all;
+std::vector<EngineKind> stepKinds(const Effort& effort) {
+  std::vector<EngineKind> kinds = engineKinds();
+  kinds.insert(kinds.begin() + 1, {kComputed, &makePlatonComputed});
+  if (effort.guest != nullptr) kinds.push_back(*effort.guest);
+  return kinds;
 }
 
 double heapBytesOf(const EngineKind& kind, const Scene& scene) {
@@ -72,7 +70,7 @@ std::vector<StepResult> benchScenes(const StepScenes& scenes, std::size_t bodies
   for (const std::size_t segments : {100u, 1000u, 10000u, 100000u}) {
     if (segments > effort.maxSegments) break;
     const auto scene = std::make_shared<const Scene>(scenes.make(segments, bodies));
-    for (const EngineKind& kind : stepKinds()) {
+    for (const EngineKind& kind : stepKinds(effort)) {
       Row* const row = rows.emplace_back(std::make_unique<Row>(scenes, kind, scene)).get();
       passes.push_back([=] { return row->run(steps); });
       results.push_back(
