@@ -7,9 +7,7 @@ OTHERS = ENGINES[1:]
 EXACT = 0
 ENOUGH = 1e-6   # of a displacement
 
-HEAD = """# Speed against error
-
-Each measurement of speed on this page is shown with the error of the same engine. The page and its pictures are written by
+HEAD = """Each measurement of speed on this page is shown with the error of the same engine. The page and its pictures are written by
 
     ./platon bench
 

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 from comparison import OTHERS, measures
+from opening import opening
 from plots import Plots
 from prose import (AIMED, BOX2D_3, COMPARED, DERIVED, ENGINES_USED, HARD_CASES, HEAD, JAMS, MEMORY, NO_BOX2D_3, PARTS,
                    PLATFORMER_STEPS, RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, TRAJECTORY, jam_lines, memory_of_rests, verdicts)  # fmt: skip
@@ -206,6 +207,7 @@ def used_engines(data):
 
 def document(report):
     data = ReportData(report)
+    told, *first_table = opening(data)
     held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in target_rows(data)]
     sections = {
         "Results": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
@@ -220,7 +222,7 @@ def document(report):
         "Cost of features": part_tables(data),
         "Games": game_tables(data),
     }
-    text = [HEAD.format(machine=machine(), **report["build"])]
+    text = ["# Speed against error", told, table(*first_table), HEAD.format(machine=machine(), **report["build"])]
     for head, parts in sections.items():
         text += [f"## {head}", *parts]
     return "\n\n".join(text) + "\n"

@@ -12,6 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import opening
 import write_report
 
 SECTIONS = ["Results", "Platon against each engine", "Aims", "How each engine is used", "Sweeps", "Whole steps", "Hard cases",
@@ -39,6 +40,9 @@ class WriteReportTest(unittest.TestCase):
             for picture in pictures:
                 self.assertTrue((root / "docs" / picture).stat().st_size > 0, picture)
         self.assertEqual(re.findall(r"^## (.*)$", page, re.MULTILINE), SECTIONS)
+        opening = page.split("\n\n")[2]
+        self.assertEqual(re.findall(r"(?m)^\| (\w[\w .]*?) \|", opening),
+                         ["engine", "Platon", "float64", "float32", "Box2D 2.4", "Box2D 3", "Chipmunk 7"])  # fmt: skip
         self.assertNotRegex(page, r"\b(nan|inf|None)\b|[{}]")
 
     def test_an_aim_that_is_missed_is_marked(self):
@@ -64,10 +68,16 @@ class WriteReportTest(unittest.TestCase):
         for part in ("step", "hardCases", "trajectory"):
             report[part] += [dict(row, engine="box2d-3.9") for row in report[part] if row["engine"] == "platon"]
         page = write_report.document(report)
+        self.assertIn("| Box2D 3 | not in this run: `PLATON_BOX2D3=FOLDER ./platon bench` |", without)
+        self.assertRegex(page, r"\| Box2D 3 \| \d+ \| 0 \| never \| [\d.]+ mm; [\d.]+ mm \| [\d.]+ mm; [\d.]+ mm \|")
         self.assertEqual(len(re.findall(r"\| box2d-3\.9 \|\n", page)), 7)  # two of times, one each of memory and trajectories, three of hard cases
         self.assertIn("`box2d-3.9` is a checkout of Box2D 3", page)
         for section in ("## Results", "## Platon against each engine", "## Aims"):
             self.assertEqual(*(text.split(section)[1].split("\n## ")[0] for text in (page, without)))
+
+    def test_lengths_have_units_that_suit_them(self):
+        for metres, text in ((0, "0"), (0.00007, "0.07 mm"), (0.69, "690 mm"), (12.4, "12 m"), (345.4, "345 m"), (4700, "4.7 km")):
+            self.assertEqual(opening.length(metres), text)
 
 
 if __name__ == "__main__":
