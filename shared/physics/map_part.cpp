@@ -72,11 +72,17 @@ World& MapPart::worldOf(const Entity& entity) const {
   return world;
 }
 
-void MapPart::line(Point p0, Point p1) {
+std::uint32_t MapPart::line(Point p0, Point p1, std::uint32_t tag) {
   requireOpen();
   requireCoordinates(id_, p0);
   requireCoordinates(id_, p1);
   segments_.push_back({p0, p1});
+  const auto index = static_cast<std::uint32_t>(segments_.size() - 1);
+  if (tag != 0) {
+    tags_.resize(segments_.size());
+    tags_[index] = tag;
+  }
+  return index;
 }
 
 void MapPart::warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1) {
@@ -112,6 +118,7 @@ void MapPart::initialize() {
   for (const Warp& warp : warps_) part.segments.push_back(warp.from);
   part.segments.shrink_to_fit();
   part.warps = std::move(warps_);
+  part.tags = std::move(tags_);
   part.grid = Grid(part.segments);
   for (EntityCache& cache : world.scratch_->caches)
     cache.rest.forget();  // warps to this part can be passed from now on

@@ -10,6 +10,7 @@
 #include "shared/exact/hash.h"
 #include "shared/physics/step/free_flight.h"
 #include "shared/physics/step/step_scratch.h"
+#include "shared/physics/tagged_rules.h"
 #include "shared/physics/world_link.h"
 
 namespace platon {
@@ -88,7 +89,9 @@ void World::moveAll(StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   scratch.entities = state_.entities;
   scratch.further.clear();
-  const Rules::Scope scope = rules().scope();
+  TaggedRules tagged(rules(), *geometry_);
+  Rules& asked = tagged.outermost();
+  const Rules::Scope scope = asked.scope();
   const bool mayRepeat = observer == nullptr && scope != Rules::Scope::kEverything;
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
@@ -96,15 +99,15 @@ void World::moveAll(StepObserver* observer) {
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further, rules(), scope)) {
+    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further, asked, scope)) {
       rest.repeat(scratch.events, idOf(index), scratch.further);
     } else {
-      move(index, further, observer);
+      move(index, further, asked, observer);
     }
   }
 }
 
-void World::move(std::uint32_t index, std::span<const InstanceState> further, StepObserver* observer) {
+void World::move(std::uint32_t index, std::span<const InstanceState> further, Rules& rules, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityState& entity = scratch.entities[index];
   EntityCache& cache = load(index, entity, further);
@@ -112,7 +115,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   if (mayFly && flyFreely(entity, cache.instances, cache.regions, scratch.work)) return cache.rest.forget();
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
-  EntityStep step = beginStep(index, entity, observer);
+  EntityStep step = beginStep(index, entity, rules, observer);
   step.contacts().begin();
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
@@ -132,11 +135,11 @@ EntityCache& World::load(std::uint32_t index, const EntityState& state, std::spa
 }
 
 // The step of an entity whose instances have been loaded from `state`.
-EntityStep World::beginStep(std::uint32_t index, EntityState& state, StepObserver* observer) {
+EntityStep World::beginStep(std::uint32_t index, EntityState& state, Rules& rules, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityCache& cache = scratch.caches[index];
   return EntityStep(Entity(*this, index), state, cache.instances,
-                    {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer, cache.touched});
+                    {cache.regions, scratch.work, scratch.buffers, rules, scratch.events, observer, cache.touched});
 }
 
 // A callback that causes events has them delivered after those that wait.
@@ -147,7 +150,8 @@ void World::deliverEvents() {
   while (const StepEvents::Event* event = scratch->events.next()) {
     if (!event->isPaired() && !exists(event->entity)) continue;
     Entity entity(*this, event->entity);
-    event->deliver(rules(), entity);
+    TaggedRules tagged(rules(), *geometry_);
+    event->deliver(tagged.outermost(), entity);
     if (scratch_.get() != scratch) return;  // the callback has moved the world
   }
 }

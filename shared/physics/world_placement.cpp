@@ -6,6 +6,7 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
 #include "shared/physics/step/step_scratch.h"
+#include "shared/physics/tagged_rules.h"
 
 namespace platon {
 namespace {
@@ -79,7 +80,8 @@ bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::ui
   StepScratch& scratch = *scratch_;
   const StepGuard guard(scratch);
   load(entity, placed.state, placed.further);
-  EntityStep step = beginStep(entity, placed.state, nullptr);
+  TaggedRules tagged(rules(), *geometry_);
+  EntityStep step = beginStep(entity, placed.state, tagged.outermost(), nullptr);
   step.contacts().pierceOverlapped(inserted);
   if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
   requireNotMoved(scratch);
@@ -124,7 +126,8 @@ std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
   std::vector<SegmentRef> contacts;
   if (placed.state.inserted == 0) return contacts;
   load(entity, placed.state, placed.further);
-  EntityStep step = beginStep(entity, placed.state, nullptr);
+  TaggedRules tagged(rules(), *geometry_);
+  EntityStep step = beginStep(entity, placed.state, tagged.outermost(), nullptr);
   step.contacts().pierceOverlapped();
   step.contacts().append(contacts);
   return contacts;

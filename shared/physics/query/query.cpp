@@ -94,7 +94,9 @@ struct Path {
     return segment != filter.except && (part.isWarp(segment) ? filter.warps : filter.walls);
   }
   SegmentRef refOf(std::uint32_t segment) const {
-    return {part.id, segment, part.isWarp(segment), part.segments[segment]};
+    SegmentRef ref{part.id, segment, part.isWarp(segment), part.segments[segment]};
+    ref.tag = part.tagOf(segment);
+    return ref;
   }
   GridWalk walk() const { return GridWalk(part.grid, extent, from, displacement); }
 };

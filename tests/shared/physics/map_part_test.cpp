@@ -25,6 +25,23 @@ TEST(MapPartTest, SegmentsMayCrossRepeatAndBePoints) {
   EXPECT_EQ(world.geometry().find(1)->segments.size(), 5u);
 }
 
+TEST(MapPartTest, LineReturnsTheIndexOfTheSegment) {
+  World world;
+  MapPart face(world, 1);
+  EXPECT_EQ(face.line({0, 0}, {10, 0}), 0u);
+  face.warp({0, 0}, {100, 0}, 2, {0, 0}, {100, 0});
+  EXPECT_EQ(face.line({0, 5}, {10, 5}, 6), 1u) << "warps come after all segments";
+  EXPECT_NE(refusal([&] { face.line({0, 0}, {kMax + 1, 5}, 9); }), "");
+  EXPECT_EQ(face.line({0, 7}, {10, 7}), 2u) << "what was refused has no index";
+  face.initialize();
+  const MapGeometry& part = *world.geometry().find(1);
+  EXPECT_EQ(part.segments[1], (Segment{{0, 5}, {10, 5}}));
+  EXPECT_EQ(part.segments[2], (Segment{{0, 7}, {10, 7}}));
+  EXPECT_EQ(part.tags, (std::vector<std::uint32_t>{0, 6})) << "no more than needed";
+  EXPECT_EQ(part.tagOf(1), 6u);
+  for (const std::uint32_t other : {0u, 2u, 3u, 100u}) EXPECT_EQ(part.tagOf(other), 0u) << other;
+}
+
 TEST(MapPartTest, RejectsCoordinatesOutOfRange) {
   World world;
   MapPart face(world, 7);

@@ -39,6 +39,8 @@ struct MapGeometry {
   std::vector<Segment> segments;
   std::vector<Warp> warps;
   Grid grid;
+  /// By index of the segment: the tag from MapPart::line. Those behind the end are 0, and the last element is not 0.
+  std::vector<std::uint32_t> tags = {};
 
   /// Whether the segment with this index belongs to a warp.
   bool isWarp(std::uint32_t segment) const { return segment >= segments.size() - warps.size(); }
@@ -51,15 +53,19 @@ struct MapGeometry {
     return segment - static_cast<std::uint32_t>(segments.size() - warps.size());
   }
 
-  /// Compares ids, segments and warps, each in their order. The grid follows from the segments.
+  /// The tag of the segment with this index.
+  std::uint32_t tagOf(std::uint32_t segment) const { return segment < tags.size() ? tags[segment] : 0; }
+
+  /// Compares ids, segments, warps and tags, each in their order. The grid follows from the segments.
   friend bool operator==(const MapGeometry& a, const MapGeometry& b) {
-    return a.id == b.id && a.segments == b.segments && a.warps == b.warps;
+    return a.id == b.id && a.segments == b.segments && a.warps == b.warps && a.tags == b.tags;
   }
 };
 
 /// All map parts of a world, sorted by id.
 struct Geometry {
   std::vector<std::shared_ptr<const MapGeometry>> parts;
+  bool hasTags = false;  ///< whether a segment of any part has a tag other than 0
 
   /// The part with this id, or null when there is none.
   const MapGeometry* find(std::uint32_t id) const;

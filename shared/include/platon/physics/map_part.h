@@ -21,9 +21,11 @@ class MapPart {
   /// `id` must be unique in the world by the time of `initialize`.
   MapPart(World& world, std::uint32_t id);
 
-  /// Adds a segment. Two equal ends make a point, which blocks too. Segments may cross and repeat. Throws
+  /// Adds a segment and returns its index, by which callbacks and queries name it (SegmentRef::index): 0, 1, 2, … in
+  /// the order of the calls. They also get `tag` (SegmentRef::tag), which is for the program: a kind of wall, or the
+  /// number of a door. Two equal ends make a point, which blocks too. Segments may cross and repeat. Throws
   /// std::invalid_argument when a coordinate is not below 2^29 in magnitude or the part is initialised.
-  void line(Point p0, Point p1);
+  std::uint32_t line(Point p0, Point p1, std::uint32_t tag = 0);
 
   /// Adds a warp from segment p0 p1 to part `targetMap`, in which the same two points are t0 and t1. This part is on
   /// the left of p0 -> p1. Entities can pass only when the target has the reverse warp. Throws std::invalid_argument
@@ -62,6 +64,7 @@ class MapPart {
   WorldLink* link_;
   std::uint32_t id_;
   std::vector<Segment> segments_;
+  std::vector<std::uint32_t> tags_;  // see MapGeometry::tags
   std::vector<Warp> warps_;
 };
 

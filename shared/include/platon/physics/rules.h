@@ -19,6 +19,7 @@ struct SegmentRef {
   std::uint16_t instance = 0;  ///< id of the entity's instance in the part
   Angle toHome = {};           ///< added to an angle in the frame of the part, gives the angle in that of the home part
   Point position = {};         ///< for Rules::pierce: of the instance, in the frame of the part, before the next move
+  std::uint32_t tag = 0;       ///< of MapPart::line; 0 for warps
 };
 
 /// A collision of an entity with a blocking segment.

@@ -304,6 +304,24 @@ TEST(QueryTest, TheFilterLeavesOutWallsWarpsOrOneSegment) {
   EXPECT_EQ(found.size(), 3u);
 }
 
+TEST(QueryTest, EveryHitHasTheTagOfItsSegment) {
+  World world;
+  MapPart part(world, 1);
+  part.line({100, -100}, {100, 100});
+  part.line({200, -100}, {200, 100}, 7);
+  part.initialize();
+  std::vector<RayHit> rays;
+  castRayThrough(world, 1, {0, 0}, {300, 0}, rays);
+  ASSERT_EQ(rays.size(), 2u);
+  EXPECT_EQ(rays[0].segment.tag, 0u);
+  EXPECT_EQ(rays[1].segment.tag, 7u);
+  EXPECT_EQ(castShape(world, 1, square(10), {150, 0}, {300, 0})->segment.tag, 7u);
+  std::vector<SegmentRef> found;
+  findOverlaps(world, 1, square(10), {200, 0}, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].tag, 7u);
+}
+
 TEST(QueryTest, HoldsAtTheLimitsOfTheCoordinates) {
   World world;
   addPart(world, 0, {{{-kMax, kMax}, {kMax, -kMax}}, {{kMax, kMax}, {kMax, kMax}}});
