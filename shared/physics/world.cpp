@@ -47,7 +47,10 @@ void World::resetRules() {
   rules_ = nullptr;
 }
 
-Rules& World::rules() const { return rules_ != nullptr ? *rules_ : scratch_->defaults; }
+Rules& World::rules() const {
+  if (rulesOfCall_ != nullptr) return *rulesOfCall_;
+  return rules_ != nullptr ? *rules_ : scratch_->defaults;
+}
 
 void World::requireNoStep() const {
   if (!scratch_->stepping) return;
@@ -83,6 +86,15 @@ void World::solve(StepObserver* observer) {
   state_.entities.swap(scratch->entities);
   state_.instances.swap(scratch->further);
   deliverEvents();
+}
+
+void World::solve(Rules& rules, StepObserver* observer) {
+  requireNoCallback();
+  struct Guard {
+    Rules*& rulesOfCall;
+    ~Guard() { rulesOfCall = nullptr; }
+  } const guard{rulesOfCall_ = &rules};
+  solve(observer);
 }
 
 void World::moveAll(StepObserver* observer) {

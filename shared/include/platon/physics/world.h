@@ -68,7 +68,7 @@ class World {
 
   /// Sets the rules for all that follows: `solve` and MapPart::insert ask them which segments block, and they receive
   /// the events. They must exist until other rules are set or the world is last used. Copies of the world have the same
-  /// rules.
+  /// rules, and tell them what happens to the copy: see solve(Rules&).
   void setRules(Rules& rules);
   /// Sets the default rules: segments block, warps can be passed, and events have no effect.
   void resetRules();
@@ -78,6 +78,10 @@ class World {
   /// was. When a callback throws, the step is complete. Throws std::logic_error when a callback, `pierce` or an
   /// observer calls it.
   void solve(StepObserver* observer = nullptr);
+  /// The same by `rules` instead of those of setRules: they are asked in this tick and receive its events, also those
+  /// of changes that its callbacks make. Rules that a callback sets are those of later calls. So a copy that predicts
+  /// can be solved without the callbacks of the original. Throws as solve() does.
+  void solve(Rules& rules, StepObserver* observer = nullptr);
 
   /// The current state; valid until the world changes. Copy it to keep it.
   const WorldState& save() const { return state_; }
@@ -179,6 +183,7 @@ class World {
   std::vector<std::shared_ptr<const Convex>> shapes_;
   WorldState state_;
   Rules* rules_;
+  Rules* rulesOfCall_ = nullptr;          // instead of rules_, while a call lasts that was given them
   std::unique_ptr<StepScratch> scratch_;  // derived state, not saved
   std::unique_ptr<WorldLink> link_;       // null until the first handle is made
 };

@@ -236,6 +236,49 @@ TEST_F(CallbackTest, MayCopyTheWorldAndSolveTheCopy) {
   EXPECT_EQ(first.position(), Point(-50, 10));
 }
 
+// A copy that predicts was counted by the rules of the original.
+TEST_F(CallbackTest, SolveByOtherRulesLeavesTheRulesOfTheWorld) {
+  RecordedRules others;
+  World copy = world;
+  copy.solve(others);
+  EXPECT_THAT(others.take(), ElementsAre("contact 0:0", "contact 0:0")) << "they do not let segment 0 be passed";
+  EXPECT_THAT(rules.take(), IsEmpty());
+  EXPECT_EQ(copy.entities()[0].position, Point(-50, 40));
+  EXPECT_THAT(solve(nullptr),
+              ElementsAre("begin 0:0", "end 0:0", "contact 0:1", "begin 0:0", "end 0:0", "contact 0:1"));
+  copy.solve();
+  EXPECT_THAT(others.take(), IsEmpty());
+  EXPECT_THAT(rules.take(), ElementsAre("begin 0:0", "end 0:0", "contact 0:1", "begin 0:0", "end 0:0", "contact 0:1"))
+      << "the copy has the rules of the original";
+}
+
+TEST_F(CallbackTest, SolveByOtherRulesDeliversAllItsEventsToThem) {
+  second.setVelocity({0, -35});
+  ActingRules others;
+  others.pierceable = rules.pierceable;
+  others.action = [&](Entity& entity) {
+    entity.world().setRules(rules);
+    entity.world().remove(1);
+  };
+  world.resetRules();
+  world.solve(others);
+  EXPECT_THAT(others.take(), ElementsAre("begin 0:0", "end 0:0", "contact 0:1", "begin 0:0", "over 0:0", "end 0:0"));
+  EXPECT_THAT(rules.take(), IsEmpty());
+  world.solve();
+  EXPECT_THAT(rules.take(), ElementsAre("contact 0:1")) << "they were set for later calls";
+}
+
+TEST_F(CallbackTest, SolveByOtherRulesEndsWithAnException) {
+  ActingRules others;
+  others.pierceable = rules.pierceable;
+  others.action = [](Entity&) { throw std::runtime_error("callback"); };
+  EXPECT_THROW(world.solve(others), std::runtime_error);
+  EXPECT_THAT(solve(nullptr), ElementsAre("contact 0:1", "contact 0:1"));
+  EXPECT_THAT(refusedIn([&](Entity& entity) { entity.world().solve(others); }),
+              HasSubstr("a callback of Rules cannot solve, restore or assign to its world"));
+  EXPECT_THAT(solve(nullptr), ElementsAre("contact 0:1", "contact 0:1")) << "the refused call has set no rules";
+}
+
 TEST_F(CallbackTest, AThrowingCallbackLeavesTheStepComplete) {
   EXPECT_THROW(solve([](Entity&) { throw std::runtime_error("callback"); }), std::runtime_error);
   EXPECT_THAT(rules.take(), ElementsAre("begin 0:0", "end 0:0", "contact 0:1")) << "the others are dropped";
