@@ -1,10 +1,7 @@
 #include "platon/game/stage.h"
 
-#include <stdexcept>
-
 #include "platon/exact/integer.h"
 #include "platon/game/player.h"
-#include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/rules.h"
 
@@ -75,16 +72,10 @@ World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vec
   return world;
 }
 
-bool isFreeForPlayer(World world, std::span<const Element> elements, std::uint32_t face, Point position, Angle angle) {
+bool isFreeForPlayer(const World& world, std::span<const Element> elements, std::uint32_t face, Point position,
+                     Angle angle) {
   AllBlock rules(elements);
-  world.setRules(rules);
-  Entity player(world, playerShape());
-  try {
-    MapPart(world, face).insert(player, position, angle);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-  return true;
+  return world.canPlace(face, playerShape(), position, angle, rules);
 }
 
 }  // namespace platon

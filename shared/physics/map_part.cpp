@@ -131,6 +131,15 @@ void MapPart::insert(Entity& entity, const Point& origin, Angle angle) {
   world.insert(entity.index(), id_, origin, angle);
 }
 
+bool MapPart::canPlace(const Entity& entity, Point origin, Angle angle) const {
+  return worldOf(entity).canPlace(entity.index(), id_, origin, angle);
+}
+
+bool MapPart::canPlace(const Convex& shape, Point origin, Angle angle) const {
+  const World& world = link_->target();
+  return world.canPlace(id_, shape, origin, angle, world.rules());
+}
+
 void MapPart::erase(Entity& entity) { worldOf(entity).erase(entity.index(), id_); }
 
 }  // namespace platon

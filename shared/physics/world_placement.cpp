@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "platon/exact/integer.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
 #include "shared/physics/step/step_scratch.h"
@@ -13,6 +14,12 @@ namespace {
 
 std::string named(std::uint32_t entity, std::uint32_t part) {
   return "entity " + std::to_string(entity) + " in map part " + std::to_string(part) + ": ";
+}
+
+void requireInitialised(const Geometry& geometry, std::uint32_t part) {
+  if (geometry.find(part) != nullptr) return;
+  throw std::invalid_argument("map part " + std::to_string(part) +
+                              " is not initialised: call MapPart::initialize before canPlace()");
 }
 
 }  // namespace
@@ -34,16 +41,34 @@ void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle
     throw std::invalid_argument(named(entity, part) + "the part is not initialised");
   if (isIn(entity, part))
     throw std::invalid_argument(named(entity, part) + "the entity is already in this part: erase it first");
-  if (!shapeOf(entity).turned(angle)) {
-    throw std::invalid_argument(named(entity, part) + "the shape is degenerate when rotated by this angle and rounded");
-  }
   Placed placed = placedOf(entity);
-  if (placed.further.size() + 1 >= Instances::kMax)
-    throw std::invalid_argument(named(entity, part) + "too many instances");
-  const std::uint16_t inserted = place(placed, part, origin, angle);
-  if (!insertReachedInstances(entity, placed, inserted))
-    throw std::invalid_argument(named(entity, part) + "the shape overlaps a blocking segment");
+  if (const char* const fault = insertInto(placed, entity, part, origin, angle))
+    throw std::invalid_argument(named(entity, part) + fault);
   replace(entity, placed);
+}
+
+bool World::canPlace(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
+  requireNoStep();
+  requireInitialised(*geometry_, part);
+  if (!isCoordinate(origin.x) || !isCoordinate(origin.y)) return false;
+  Placed placed = placedOf(entity);
+  if (isIn(entity, part)) eraseFrom(placed, part);
+  return insertInto(placed, entity, part, origin, angle) == nullptr;
+}
+
+bool World::canPlace(std::uint32_t part, const Convex& shape, Point origin, Angle angle, Rules& rules) const {
+  requireInitialised(*geometry_, part);
+  World trial(*this);
+  trial.rules_ = &rules;
+  return trial.canPlace(trial.add(shape), part, origin, angle);
+}
+
+// Adds an instance of the entity and those that its shape reaches. Returns what is wrong with the place, or null.
+const char* World::insertInto(Placed& placed, std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
+  if (!shapeOf(entity).turned(angle)) return "the shape is degenerate when rotated by this angle and rounded";
+  if (placed.further.size() + 1 >= Instances::kMax) return "too many instances";
+  const std::uint16_t inserted = place(placed, part, origin, angle);
+  return insertReachedInstances(entity, placed, inserted) ? nullptr : "the shape overlaps a blocking segment";
 }
 
 // Adds an instance, as the home instance when there is none, and returns its id.
@@ -141,16 +166,20 @@ bool World::isIn(std::uint32_t entity, std::uint32_t part) const {
                                             [&](const InstanceState& instance) { return instance.part == part; }));
 }
 
-// Also removes all instances with a parent; the next step adds those again that are still needed.
 void World::erase(std::uint32_t entity, std::uint32_t part) {
   requireNoStep();
   if (!isIn(entity, part)) return;
   Placed placed = placedOf(entity);
+  eraseFrom(placed, part);
+  replace(entity, placed);
+}
+
+// Also removes all instances with a parent; the next step adds those again that are still needed.
+void World::eraseFrom(Placed& placed, std::uint32_t part) {
   std::erase_if(placed.further, [&](const InstanceState& instance) {
     return instance.part == part || instance.parent != InstanceState::kNoParent;
   });
   if (placed.state.part == part) promoteFirst(placed);
-  replace(entity, placed);
 }
 
 // Makes the first further instance the home instance and anchors the others to it at their current positions.

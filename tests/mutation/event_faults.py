@@ -101,8 +101,8 @@ EVENT_FAULTS = [
               "a contact of an entity that a callback has destroyed never ends",
               "CallbackTest.MayDestroyEntities"),
     at_length("refused-place-kept", PHYSICS + "world_placement.cpp",
-              "  if (!insertReachedInstances(entity, placed, inserted))\n",
-              "  const bool fits = insertReachedInstances(entity, placed, inserted);\n  replace(entity, placed);\n  if (!fits)\n",
+              "  if (const char* const fault = insertInto(placed, entity, part, origin, angle))\n",
+              "  const char* const fault = insertInto(placed, entity, part, origin, angle);\n  replace(entity, placed);\n  if (fault)\n",
               "a refused insertion changes the state",
               "MapPartInsertTest.RejectsOverlappingPositions"),
 ]  # fmt: skip

@@ -38,6 +38,7 @@ World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vec
 /// True when a player fits at this position and angle: no segment of `face`, or of a face that the shape reaches over
 /// an edge, overlaps it, except elements that never block. `world` comes from buildStage, and `elements` are those of
 /// its segments.
-bool isFreeForPlayer(World world, std::span<const Element> elements, std::uint32_t face, Point position, Angle angle);
+bool isFreeForPlayer(const World& world, std::span<const Element> elements, std::uint32_t face, Point position,
+                     Angle angle);
 
 }  // namespace platon

@@ -9,6 +9,7 @@
 
 namespace platon {
 
+class Convex;
 class Entity;
 class World;
 struct WorldLink;
@@ -50,6 +51,15 @@ class MapPart {
   /// are out of range, or a segment overlaps the shape that blocks by the rules of World::setRules. Changes nothing
   /// then. An exception of a callback passes on; the insertion is complete.
   void insert(Entity& entity, const Point& origin, Angle angle);
+
+  /// Whether `insert` would place the entity there, if it was erased from this part first. False when a blocking
+  /// segment overlaps the shape, when the shape is degenerate at this angle, when the coordinates are out of range or
+  /// when the entity has too many instances. Asks the rules, and changes and tells nothing. Throws
+  /// std::invalid_argument when the part is not initialised, or the entity does not exist or belongs to another world;
+  /// std::logic_error when Rules::pierce or a StepObserver calls it.
+  bool canPlace(const Entity& entity, Point origin, Angle angle) const;
+  /// The same for a new entity of this shape: see World::canPlace.
+  bool canPlace(const Convex& shape, Point origin, Angle angle) const;
 
   /// Removes the entity's instances from this part; their contacts end (see Rules). No effect when there are none.
   /// Throws std::invalid_argument when the entity does not exist or belongs to another world.

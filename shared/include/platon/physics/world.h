@@ -124,6 +124,11 @@ class World {
   /// All instances of the entity, home first.
   std::vector<InstanceView> view(std::uint32_t entity) const;
 
+  /// Whether MapPart::insert would place a new entity of this shape in the part, by these rules. They are asked with an
+  /// entity of a copy of this world, to which it was added. Takes as long as that copy: to ask often, ask for an entity
+  /// that exists (MapPart::canPlace). False and exceptions as there.
+  bool canPlace(std::uint32_t part, const Convex& shape, Point origin, Angle angle, Rules& rules) const;
+
   /// Registers a shape and returns its index. Equal shapes get the same index. A state can be restored only when its
   /// shapes are registered in the same order.
   std::uint32_t addShape(const Convex& shape);
@@ -162,11 +167,14 @@ class World {
   bool isBuiltLike(const World& other) const;
   std::uint32_t add(const Convex& shape);
   void insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
+  bool canPlace(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   bool isIn(std::uint32_t entity, std::uint32_t part) const;
   void erase(std::uint32_t entity, std::uint32_t part);
   struct Placed;
   Placed placedOf(std::uint32_t entity) const;
+  static void eraseFrom(Placed& placed, std::uint32_t part);
   static void promoteFirst(Placed& placed);
+  const char* insertInto(Placed& placed, std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   std::uint16_t place(Placed& placed, std::uint32_t part, Point origin, Angle angle) const;
   bool insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted);
   void replace(std::uint32_t entity, const Placed& placed);

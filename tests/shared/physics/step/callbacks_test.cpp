@@ -279,6 +279,17 @@ TEST_F(CallbackTest, SolveByOtherRulesEndsWithAnException) {
   EXPECT_THAT(solve(nullptr), ElementsAre("contact 0:1", "contact 0:1")) << "the refused call has set no rules";
 }
 
+TEST_F(CallbackTest, MayAskWhetherABodyFits) {
+  bool high = false;
+  bool low = true;
+  solve([&](Entity& entity) {
+    high = MapPart(entity.world(), 0).canPlace(entity, {0, 10}, Angle());
+    low = MapPart(entity.world(), 0).canPlace(entity, {0, 9}, Angle());
+  });
+  EXPECT_TRUE(high);
+  EXPECT_FALSE(low);
+}
+
 TEST_F(CallbackTest, AThrowingCallbackLeavesTheStepComplete) {
   EXPECT_THROW(solve([](Entity&) { throw std::runtime_error("callback"); }), std::runtime_error);
   EXPECT_THAT(rules.take(), ElementsAre("begin 0:0", "end 0:0", "contact 0:1")) << "the others are dropped";
@@ -370,6 +381,9 @@ TEST(StepTest, NothingChangesAWorldDuringItsStep) {
                                                               part.insert(entity, {50, 50}, Angle());
                                                             },
                                                             [&](World&) { other.initialize(); },
+                                                            [&](World&) {
+                                                              (void)part.canPlace(entity, {50, 50}, Angle());
+                                                            },
                                                             [](World& w) {
                                                               Entity(w, 0).setVelocity({1, 1});
                                                             },
