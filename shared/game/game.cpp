@@ -77,7 +77,7 @@ void Game::addAndRemovePlayers(std::span<const Input> inputs) {
 
 void Game::addPlayer(std::uint32_t slot) {
   while (players_.size() <= slot) {
-    Entity(world_, playerShape());
+    (void)Entity(world_, playerShape());
     players_.emplace_back();
   }
   players_[slot] = {};
@@ -86,7 +86,7 @@ void Game::addPlayer(std::uint32_t slot) {
 }
 
 void Game::removePlayer(std::uint32_t slot) {
-  world_.remove(slot);
+  world_.erase(slot);
   players_[slot] = {};
   resetKeys();
 }
@@ -110,7 +110,7 @@ void Game::respawn(std::uint32_t slot) {
   PlayerState& player = players_[slot];
   player.velocity = player.ground = {};
   player.coyote = player.jumpBuffer = player.jumping = 0;
-  world_.remove(slot);
+  world_.erase(slot);
   Entity entity(world_, slot);
   if (player.checkpoint == 0) {
     MapPart(world_, level_->startFace).insert(entity, level_->start, level_->startAngle);
@@ -173,7 +173,7 @@ std::uint64_t Game::hash() const {
 std::vector<std::uint8_t> Game::save() const {
   StateWriter writer;
   const auto write = [&](const char*, const auto& field) { writer.add(field); };
-  const WorldState& state = world_.save();
+  const WorldState& state = world_.state();
   writer.add(static_cast<std::uint16_t>(players_.size()));
   for (const EntityState& entity : state.entities) EntityState::visit(entity, write);
   for (const InstanceState& instance : state.instances) InstanceState::visit(instance, write);

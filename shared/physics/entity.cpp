@@ -24,12 +24,13 @@ Entity::Entity(World& world, const intern::Convex& shape) : Entity(world, Convex
 
 Entity::Entity(World& world, const Convex& shape) : Entity(world, world.add(shape)) {}
 
-Entity::Entity(World& world, std::uint32_t index) : Entity(world, {index, world.save().generationOf(index)}) {}
+Entity::Entity(World& world, std::uint32_t index) : Entity(world, {index, world.state().generationOf(index)}) {}
 
 Entity::Entity(World& world, EntityId id) : link_(&world.link()), id_(id) {}
 
 World& Entity::world() const { return link_->target(); }
 bool Entity::exists() const { return link_->world != nullptr && link_->world->exists(id_); }
+void Entity::erase() { world().erase(world().checked(id_)); }
 void Entity::destroy() { world().destroy(world().checked(id_)); }
 
 const EntityState& Entity::state() const {

@@ -202,7 +202,7 @@ void World::promoteFirst(Placed& placed) {
   placed.further.erase(placed.further.begin());
 }
 
-void World::remove(std::uint32_t entity) {
+void World::erase(std::uint32_t entity) {
   requireNoStep();
   Placed placed = placedOf(checked(entity));
   placed.state.inserted = 0;

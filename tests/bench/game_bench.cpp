@@ -64,7 +64,7 @@ double averageOf(std::int64_t times, Work&& work) {
 
 SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
   Session session(sim::levelFrom(path), kManyBodies);
-  const WorldState& live = session.game.world().save();
+  const WorldState& live = session.game.world().state();
   World other = session.game.world();
   WorldState kept = live;
   const std::int64_t times = 20000 / effort.divisor;

@@ -63,7 +63,7 @@ TEST(GoldenFilesTest, PlayersCrossEdgesAndHaveSeveralInstances) {
     const auto bytes = readBytes(path);
     Verifier verifier(bytes);
     verifier.run([&](std::span<const Input>, const Game& game) {
-      maxInstances = std::max(maxInstances, game.world().save().instances.size());
+      maxInstances = std::max(maxInstances, game.world().state().instances.size());
     });
     for (const EntityState& entity : verifier.game()->world().entities()) crossings += entity.crossings;
   }

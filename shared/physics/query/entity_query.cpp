@@ -48,7 +48,7 @@ EntityQuery::~EntityQuery() = default;
 template <class Visit>
 void EntityQuery::forEachNear(const World& world, std::uint32_t part, const Box& area, Visit&& visit) {
   shapes_->cache.trim();
-  const WorldState& state = world.save();
+  const WorldState& state = world.state();
   std::size_t next = 0;
   for (std::uint32_t i = 0; i < state.entities.size(); ++i) {
     const EntityState& entity = state.entities[i];

@@ -88,7 +88,7 @@ class DerivedStateTest : public testing::TestWithParam<std::uint64_t> {
     if (oneIn(15)) entity.setVelocity(random_.vector(oneIn(2) ? 60 : 700));
     if (tick % 200 < 100) entity.rotate(anyTurn(random_, oneIn(40) ? 3000 : 100));
     if (oneIn(80)) MapPart(world_, entity.part()).erase(entity);
-    if (oneIn(200)) world_.remove(index);
+    if (oneIn(200)) world_.erase(index);
     if (oneIn(30)) put(entity);
     if (tick == 100) addTorusPart(world_, kTorusParts - 1, random_);
     if (oneIn(60)) saved_ = world_.save();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/refusal.h"
@@ -20,7 +21,7 @@ TEST(EntityTest, RejectsShapesThatAreNotConvex) {
   World world;
   intern::Convex draft;
   draft.vertices = {{0, 0}, {0, 10}, {10, 10}, {10, 0}};
-  EXPECT_THROW(Entity(world, draft), std::invalid_argument);
+  EXPECT_THROW((void)Entity(world, draft), std::invalid_argument);
   EXPECT_TRUE(world.entities().empty());
 }
 
@@ -144,6 +145,22 @@ TEST(EntityTest, RefusesValuesOutOfRange) {
   EXPECT_EQ(world, before);
 }
 
+TEST(EntityTest, EraseTakesItOutOfAllPartsAndKeepsIt) {
+  World world = twoStrips();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {950, 0}, Angle());
+  ASSERT_EQ(world.view(0).size(), 2u);
+  entity.erase();
+  EXPECT_FALSE(entity.inserted());
+  EXPECT_TRUE(entity.exists());
+  EXPECT_TRUE(world.view(0).empty());
+  const World before = world;
+  entity.erase();
+  EXPECT_EQ(world, before) << "it is in no part";
+  entity.destroy();
+  EXPECT_EQ(refusal([&] { entity.erase(); }), "entity 0 does not exist: it was destroyed");
+}
+
 TEST(EntityTest, RefusesHandlesOfEntitiesThatDoNotExist) {
   World world;
   Entity entity(world, square(5));
@@ -157,6 +174,7 @@ TEST(EntityTest, RefusesHandlesOfEntitiesThatDoNotExist) {
   EXPECT_EQ(refusal([&] { lost.setVelocity({1, 1}); }), missing);
   EXPECT_EQ(refusal([&] { lost.addVelocity({1, 1}); }), missing);
   EXPECT_EQ(refusal([&] { lost.rotate(1); }), missing);
+  EXPECT_EQ(refusal([&] { lost.erase(); }), missing);
   EXPECT_EQ(world, before);
 }
 

@@ -39,9 +39,9 @@ class WorldPlacementTest : public testing::Test {
 };
 
 TEST_F(WorldPlacementTest, RemovalEndsTheContactsOfAllInstances) {
-  world.remove(0);
+  world.erase(0);
   EXPECT_THAT(rules.take(), ElementsAre("end 1:0", "end 1:1", "end 2:0"));
-  world.remove(0);
+  world.erase(0);
   EXPECT_THAT(rules.take(), IsEmpty());
 }
 
@@ -183,7 +183,7 @@ TEST_F(WorldPlacementTest, CanPlaceRefusesWhatInsertRefusesOfTheCall) {
 // Contacts of an instance that has an id already given to another one would not be told apart.
 TEST_F(WorldPlacementTest, AnEntityThatIsPlacedAgainHasNewIds) {
   const std::uint16_t id = entity.state().id;
-  world.remove(0);
+  world.erase(0);
   MapPart(world, 1).insert(entity, {920, 0}, Angle());
   EXPECT_NE(entity.state().id, id);
 }

@@ -285,7 +285,7 @@ TEST(WorldTest, RemovedEntitiesAreInNoPart) {
   World world = busyWorld(kSeed);
   World other = world;
   for (std::uint32_t i = 0; i < world.entities().size(); ++i) {
-    world.remove(i);
+    world.erase(i);
     EXPECT_FALSE(Entity(world, i).inserted());
     EXPECT_TRUE(world.view(i).empty());
   }

@@ -37,6 +37,20 @@ TEST(WorldValueTest, EqualStatesOnDifferentMapsAreNotEqual) {
   EXPECT_FALSE(world == extended) << "another part";
 }
 
+// The result of save() was a reference: what a program had saved changed with the world.
+TEST(WorldValueTest, WhatWasSavedDoesNotChange) {
+  World world = stripWith({{500, -500}, {500, 500}}, square(10));
+  Entity entity(world, 0u);
+  entity.setVelocity({5, 0});
+  const WorldState& live = world.state();
+  const auto& saved = world.save();
+  world.solve();
+  EXPECT_EQ(live.entities[0].position, Point(5, 0));
+  EXPECT_EQ(saved.entities[0].position, Point(0, 0));
+  world.restore(saved);
+  EXPECT_EQ(entity.position(), Point(0, 0));
+}
+
 TEST(WorldValueTest, EqualStatesOnDifferentWarpsAreNotEqual) {
   const auto withTarget = [](std::uint32_t target) {
     World world;
@@ -120,7 +134,7 @@ TEST(WorldValueTest, RefusesEntitiesThatDoNotExist) {
   EXPECT_TRUE(refuses([&] { world.shapeOf(1); }));
   EXPECT_TRUE(refuses([&] { world.rotatedShapeOf(1, Angle(1)); }));
   EXPECT_TRUE(refuses([&] { world.view(1); }));
-  EXPECT_TRUE(refuses([&] { world.remove(1); }));
+  EXPECT_TRUE(refuses([&] { world.erase(1); }));
   EXPECT_EQ(world, before);
 }
 

@@ -23,11 +23,13 @@ struct WorldLink;
 /// with the state.
 class Entity {
  public:
-  /// Adds an entity to the world. It is in no map part until MapPart::insert.
-  Entity(World& world, const Convex& shape);
+  /// Adds an entity to the world. It is in no map part until MapPart::insert. It stays in the world when the handle
+  /// goes away: only `destroy` ends it. Keep the handle or its id; where neither is wanted, write (void)Entity(world,
+  /// shape).
+  [[nodiscard]] Entity(World& world, const Convex& shape);
   /// The same with the shape that these vertices form. Throws std::invalid_argument when they are not strictly convex
   /// and counter-clockwise.
-  Entity(World& world, const intern::Convex& shape);
+  [[nodiscard]] Entity(World& world, const intern::Convex& shape);
   /// A handle to the existing entity `index`.
   Entity(World& world, std::uint32_t index);
   /// A handle to the entity with this id.
@@ -39,6 +41,8 @@ class Entity {
   World& world() const;
   /// Whether the entity exists, so that the handle can be used.
   bool exists() const;
+  /// Erases the entity from all map parts; see World::erase.
+  void erase();
   /// Destroys the entity; see World::destroy.
   void destroy();
 

@@ -54,12 +54,13 @@ class MapPart {
 
   /// Whether `insert` would place the entity there, if it was erased from this part first. False when a blocking
   /// segment overlaps the shape, when the shape is degenerate at this angle, when the coordinates are out of range or
-  /// when the entity has too many instances. Asks the rules, and changes and tells nothing. Throws
-  /// std::invalid_argument when the part is not initialised, or the entity does not exist or belongs to another world;
-  /// std::logic_error when Rules::pierce or a StepObserver calls it.
-  bool canPlace(const Entity& entity, Point origin, Angle angle) const;
+  /// when the entity has too many instances. Asks the rules, and changes and tells nothing. Uses caches of the world:
+  /// it is for the thread that uses the world, unlike the queries. Throws std::invalid_argument when the part is not
+  /// initialised, or the entity does not exist or belongs to another world; std::logic_error when Rules::pierce or a
+  /// StepObserver calls it.
+  [[nodiscard]] bool canPlace(const Entity& entity, Point origin, Angle angle) const;
   /// The same for a new entity of this shape: see World::canPlace.
-  bool canPlace(const Convex& shape, Point origin, Angle angle) const;
+  [[nodiscard]] bool canPlace(const Convex& shape, Point origin, Angle angle) const;
 
   /// Removes the entity's instances from this part; their contacts end (see Rules). No effect when there are none.
   /// Throws std::invalid_argument when the entity does not exist or belongs to another world.

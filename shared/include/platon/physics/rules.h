@@ -38,14 +38,14 @@ struct Contact {
 /// (home first, then by age), then by segment index. `toHome` of their segments leads to the home part after the step.
 ///
 /// beginContact and endContact alternate for an entity, an instance and a segment, as long as the same rules are set. A
-/// contact also ends when its instance is dropped or removed: MapPart::insert and erase, World::remove and destroy
+/// contact also ends when its instance is dropped or removed: MapPart::insert and erase, World::erase and destroy
 /// deliver endContact, at once or, called by a callback, after the events that wait. The contacts of an instance that
 /// MapPart::insert places begin in the next step. A state that World::restore or an assignment brings in is taken as it
 /// is: contacts with what an instance overlaps there have begun, unless the instance is fresh (InstanceState::fresh).
 ///
-/// A callback may change the world: add, insert, erase, remove, destroy and rotate entities, change velocities,
+/// A callback may change the world: add, insert, erase, destroy and rotate entities, change velocities,
 /// initialise parts, set other rules. Events that wait are delivered all the same. They describe the step: their entity
-/// may have been removed or changed since. Of a destroyed entity, only beginContact and endContact are still delivered,
+/// may have been erased or changed since. Of a destroyed entity, only beginContact and endContact are still delivered,
 /// so that they alternate: Entity::exists is false then, and only the id of the handle can be used. A callback may not
 /// solve the world, restore it or assign to it: these throw std::logic_error. When a callback throws, the events that
 /// wait are dropped, and the exception passes on; the step itself is complete. They are also dropped when a callback

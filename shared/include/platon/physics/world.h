@@ -83,8 +83,11 @@ class World {
   /// can be solved without the callbacks of the original. Throws as solve() does.
   void solve(Rules& rules, StepObserver* observer = nullptr);
 
-  /// The current state; valid until the world changes. Copy it to keep it.
-  const WorldState& save() const { return state_; }
+  /// A copy of the current state, for `restore`.
+  [[nodiscard]] WorldState save() const { return state_; }
+  /// The state itself. The reference follows the world: what it shows changes with it, and all that it refers to is
+  /// valid only until the world changes. `kept = world.state()` saves into memory that `kept` has already.
+  const WorldState& state() const { return state_; }
   /// Replaces the state. Throws std::invalid_argument with the text of fault() when this world does not accept it, and
   /// changes nothing then. Takes about 1 µs an entity, because the shapes are rotated to check them.
   void restore(const WorldState& state);
@@ -127,7 +130,7 @@ class World {
   /// Whether MapPart::insert would place a new entity of this shape in the part, by these rules. They are asked with an
   /// entity of a copy of this world, to which it was added. Takes as long as that copy: to ask often, ask for an entity
   /// that exists (MapPart::canPlace). False and exceptions as there.
-  bool canPlace(std::uint32_t part, const Convex& shape, Point origin, Angle angle, Rules& rules) const;
+  [[nodiscard]] bool canPlace(std::uint32_t part, const Convex& shape, Point origin, Angle angle, Rules& rules) const;
 
   /// Registers a shape and returns its index. Equal shapes get the same index. A state can be restored only when its
   /// shapes are registered in the same order.
@@ -138,9 +141,10 @@ class World {
   std::optional<std::string> fault(const WorldState& state) const;
   /// Whether `state` has no fault.
   bool accepts(const WorldState& state) const { return !fault(state); }
-  /// Removes the entity from all parts; its contacts end (see Rules). Its index stays valid.
-  void remove(std::uint32_t entity);
-  /// Destroys the entity: removes it from all parts, which ends its contacts, and frees its index. Handles of it are
+  /// Erases the entity from all parts; its contacts end (see Rules). It still exists, in no part. No effect when it is
+  /// in none. MapPart::erase does this for one part.
+  void erase(std::uint32_t entity);
+  /// Destroys the entity: erases it from all parts, which ends its contacts, and frees its index. Handles of it are
   /// refused from then on. The next new entity gets the lowest free index, so equal calls still give equal states.
   void destroy(std::uint32_t entity);
 

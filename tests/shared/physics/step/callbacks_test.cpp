@@ -103,7 +103,7 @@ TEST_F(CallbackTest, MayAddEntities) {
 TEST_F(CallbackTest, MayEraseAndRemove) {
   EXPECT_THAT(solve([](Entity& entity) {
                 MapPart(entity.world(), 0).erase(entity);
-                entity.world().remove(1);
+                entity.world().erase(1);
               }),
               testing::ElementsAreArray(kAll))
       << "the events of an entity that was removed are delivered";
@@ -183,7 +183,7 @@ TEST_F(CallbackTest, MayChangeEntitiesAndParts) {
 
 TEST_F(CallbackTest, MoveAnEntityToAnotherPlace) {
   solve([](Entity& entity) {
-    entity.world().remove(0);
+    entity.world().erase(0);
     MapPart(entity.world(), 0).insert(entity, {0, 35}, Angle());
     entity.setVelocity({});
   });
@@ -194,7 +194,7 @@ TEST_F(CallbackTest, MoveAnEntityToAnotherPlace) {
 TEST_F(CallbackTest, EventsThatACallbackCausesComeAfterThoseThatWait) {
   first.setVelocity({0, -60});
   second.setVelocity({0, -35});
-  EXPECT_THAT(solve([](Entity& entity) { entity.world().remove(1); }),
+  EXPECT_THAT(solve([](Entity& entity) { entity.world().erase(1); }),
               ElementsAre("begin 0:0", "end 0:0", "contact 0:1", "begin 0:0", "over 0:0", "end 0:0"));
 }
 
@@ -258,7 +258,7 @@ TEST_F(CallbackTest, SolveByOtherRulesDeliversAllItsEventsToThem) {
   others.pierceable = rules.pierceable;
   others.action = [&](Entity& entity) {
     entity.world().setRules(rules);
-    entity.world().remove(1);
+    entity.world().erase(1);
   };
   world.resetRules();
   world.solve(others);
@@ -373,8 +373,8 @@ TEST(StepTest, NothingChangesAWorldDuringItsStep) {
                                                             [&](World& w) { w.setRules(rules); },
                                                             [](World& w) { w.resetRules(); },
                                                             [](World& w) { w.addShape(square(3)); },
-                                                            [](World& w) { Entity(w, square(10)); },
-                                                            [](World& w) { w.remove(0); },
+                                                            [](World& w) { (void)Entity(w, square(10)); },
+                                                            [](World& w) { w.erase(0); },
                                                             [](World& w) { w.destroy(0); },
                                                             [&](World&) { part.erase(entity); },
                                                             [&](World&) {
@@ -400,7 +400,7 @@ TEST(StepTest, NothingChangesAWorldDuringItsStep) {
     EXPECT_THROW(world.solve(&observer), std::logic_error) << i;
     EXPECT_EQ(world, before) << i;
   }
-  rules.change = [](World& w) { w.remove(0); };
+  rules.change = [](World& w) { w.erase(0); };
   try {
     world.solve();
     FAIL();

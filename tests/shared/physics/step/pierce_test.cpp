@@ -353,7 +353,7 @@ TEST(PierceTest, InsertAndSolveAskTheSameRules) {
   world.resetRules();
   EXPECT_THROW(
       {
-        world.remove(0);
+        world.erase(0);
         MapPart(world, 0).insert(entity, {0, 0}, Angle());
       },
       std::invalid_argument);

@@ -73,7 +73,7 @@ class AllKinds : public PairedRules {
     const auto part = static_cast<std::uint32_t>(random_.below(kTorusParts));
     switch (random_.below(60)) {
       case 0:
-        return world.remove(entity.index());
+        return world.erase(entity.index());
       case 1:
         return MapPart(world, part).erase(entity);
       case 2:
@@ -129,7 +129,7 @@ class ContactPairsTest : public testing::TestWithParam<std::uint64_t> {
     if (oneIn(8)) entity.setVelocity(random_.vector(oneIn(2) ? 60 : 900));
     if (oneIn(4)) entity.rotate(static_cast<std::int32_t>(random_.below(4000)) - 2000);
     if (oneIn(40)) MapPart(world_, static_cast<std::uint32_t>(random_.below(kTorusParts))).erase(entity);
-    if (oneIn(60)) world_.remove(entity.index());
+    if (oneIn(60)) world_.erase(entity.index());
     if (oneIn(10)) put(entity);
     if (oneIn(5)) rules_.isOpen[random_.below(4)] ^= true;
     if (tick == 100) addTorusPart(world_, kTorusParts - 1, random_);
@@ -236,9 +236,9 @@ TEST_F(StripPairsTest, ContactsOfAnErasedInstanceEnd) {
 
 TEST_F(StripPairsTest, ContactsOfARemovedEntityEndOnceAndBeginAgainElsewhere) {
   step({200, 0});
-  world.remove(0);
+  world.erase(0);
   EXPECT_EQ(open(), 0u);
-  world.remove(0);
+  world.erase(0);
   MapPart(world, 2).insert(entity, {-950, 0}, Angle());
   EXPECT_EQ(open(), 0u) << "they begin in the next step";
   step({0, 0});
