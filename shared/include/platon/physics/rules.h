@@ -26,7 +26,9 @@ struct SegmentRef {
 struct Contact {
   SegmentRef segment;
   Point point;    ///< point of contact in the frame of the segment's part, to the nearest subunit
-  Point normal;   ///< exact direction from the segment to the entity, in the frame of the segment's part
+  Point normal;   ///< exact direction from the segment to the entity, in the frame of the segment's part. Not (0, 0),
+                  ///< coordinates below 2^30 in magnitude (kNormalLimit), so that squaredLength(normal) is below 2^61
+                  ///< and dot(velocity, normal) below 2^59. For a bounce, see reflect()
   Fraction time;  ///< fraction of the leg, in [0, 1)
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
+#include "platon/exact/integer.h"
 #include "platon/exact/point.h"
 
 namespace platon {
@@ -13,6 +15,10 @@ struct Segment {
 
   friend constexpr bool operator==(const Segment&, const Segment&) = default;
 };
+
+/// The coordinates of a normal of a segment or of a shape are below this in magnitude: it is the difference of two
+/// points, rotated by 90°. Its length has no meaning.
+inline constexpr std::int32_t kNormalLimit = 2 * kCoordinateLimit;
 
 /// A closed axis-aligned box in subunits.
 struct Box {
