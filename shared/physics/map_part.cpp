@@ -76,6 +76,7 @@ std::uint32_t MapPart::line(Point p0, Point p1, std::uint32_t tag) {
   requireOpen();
   requireCoordinates(id_, p0);
   requireCoordinates(id_, p1);
+  link_->begin(id_);
   segments_.push_back({p0, p1});
   const auto index = static_cast<std::uint32_t>(segments_.size() - 1);
   if (tag != 0) {
@@ -105,12 +106,14 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
   if (!isNear(fromMiddle, middle(from.a, from.b)) || !isNear(ontoMiddle, middle(onto.a, onto.b))) {
     throw std::invalid_argument(where + ": a midpoint is more than 1 subunit from the midpoint of the two ends");
   }
+  link_->begin(id_);
   warps_.push_back({from, targetMap, onto, turn, fromMiddle, ontoMiddle});
 }
 
 void MapPart::initialize() {
   World& world = link_->target();
   world.requireNoStep();
+  link_->end(id_);
   requireConvexBoundary(id_, warps_);
   MapGeometry part;
   part.id = id_;

@@ -75,6 +75,7 @@ void World::requireNotMoved(const StepScratch& scratch) const {
 // The step works on copies, so that the world stays as it was until all entities have moved.
 void World::solve(StepObserver* observer) {
   requireNoCallback();
+  if (link_) link_->requireInitialised(*geometry_);
   StepScratch* const scratch = scratch_.get();
   scratch->trimShapes();
   scratch->provideFor(state_.entities.size());

@@ -57,6 +57,12 @@ void WorldLink::refuse() {
   throw std::invalid_argument("another world was moved onto the world of this handle: make the handle again");
 }
 
+void WorldLink::refuseBegun(std::uint32_t part) {
+  throw std::logic_error("map part " + std::to_string(part) +
+                         " has segments or warps but was not initialised, so nothing meets them: call "
+                         "MapPart::initialize() before solve()");
+}
+
 std::uint32_t World::add(const Convex& shape) {
   EntityState entity;
   entity.shape = addShape(shape);

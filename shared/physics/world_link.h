@@ -1,7 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
+
+#include "platon/physics/map_geometry.h"
 
 namespace platon {
 
@@ -11,6 +16,7 @@ class World;
 struct WorldLink {
   World* world = nullptr;              ///< null when another world was moved onto the world
   std::unique_ptr<WorldLink> retired;  ///< links that are null, kept so that their handles can be refused
+  std::vector<std::uint32_t> begun;    ///< parts with segments or warps for which MapPart::initialize was not called
 
   explicit WorldLink(World& target) : world(&target) {}
   WorldLink(const WorldLink&) = delete;
@@ -25,6 +31,18 @@ struct WorldLink {
     if (world == nullptr) refuse();
     return *world;
   }
+  /// A part has got its first segment or warp.
+  void begin(std::uint32_t part) {
+    if (std::find(begun.begin(), begun.end(), part) == begun.end()) begun.push_back(part);
+  }
+  /// MapPart::initialize was called for the part.
+  void end(std::uint32_t part) { std::erase(begun, part); }
+  /// Throws std::logic_error when a part was begun that the world does not have.
+  void requireInitialised(const Geometry& geometry) const {
+    for (const std::uint32_t part : begun) {
+      if (geometry.find(part) == nullptr) refuseBegun(part);
+    }
+  }
   /// Retires `other` and keeps it with those that it has retired.
   void retire(std::unique_ptr<WorldLink> other) {
     other->world = nullptr;
@@ -35,6 +53,7 @@ struct WorldLink {
 
  private:
   [[noreturn]] static void refuse();
+  [[noreturn]] static void refuseBegun(std::uint32_t part);
 };
 
 }  // namespace platon

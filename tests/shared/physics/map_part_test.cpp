@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "platon/exact/integer.h"
 #include "platon/physics/entity.h"
@@ -115,6 +117,66 @@ TEST(MapPartTest, RejectsSegmentsAndWarpsAfterInitialize) {
   MapPart another(world, 3);
   EXPECT_EQ(refusal([&] { another.line({0, 0}, {1, 1}); }), late);
   EXPECT_EQ(world, before);
+}
+
+// The text of the std::logic_error of a step.
+std::string refusedStep(World& world) {
+  try {
+    world.solve();
+  } catch (const std::invalid_argument&) {
+    return "another error";
+  } catch (const std::logic_error& reason) {
+    return reason.what();
+  }
+  return "";
+}
+
+// Nothing met the segments of a part whose initialize() was forgotten, and nobody was told.
+TEST(MapPartTest, AStepIsRefusedWhileAPartIsNotInitialised) {
+  World world;
+  MapPart empty(world, 2);
+  EXPECT_EQ(refusedStep(world), "") << "a handle alone has nothing to initialise";
+  MapPart face(world, 3);
+  face.line({0, 0}, {10, 0});
+  {
+    MapPart lost(world, 4);
+    lost.warp({0, 0}, {100, 0}, 2, {0, 0}, {100, 0});
+  }
+  const World before = world;
+  const auto open = [](int part) {
+    return "map part " + std::to_string(part) +
+           " has segments or warps but was not initialised, so nothing meets them: call MapPart::initialize() before "
+           "solve()";
+  };
+  EXPECT_EQ(refusedStep(world), open(3));
+  EXPECT_EQ(world, before);
+  MapPart copy = face;
+  copy.line({0, 5}, {10, 5});
+  copy.initialize();
+  EXPECT_EQ(refusedStep(world), open(4)) << "the handle is gone";
+  World moved = std::move(world);
+  EXPECT_EQ(refusedStep(moved), open(4));
+  World other = moved;
+  EXPECT_EQ(refusedStep(other), "") << "a copy has no handles";
+  MapPart(moved, 4).initialize();
+  EXPECT_EQ(refusedStep(moved), "");
+  MapPart five(other, 5);
+  five.line({0, 0}, {10, 0});
+  MapPart(moved, 5).initialize();
+  other = moved;
+  EXPECT_EQ(refusedStep(other), "") << "the world has a part 5 now";
+}
+
+TEST(MapPartTest, APartWhoseInitializeWasRefusedDoesNotForbidAStep) {
+  World world;
+  MapPart clockwise(world, 1);
+  clockwise.warp({0, 0}, {0, 1000}, 2, {0, 0}, {0, 1000});
+  clockwise.warp({0, 1000}, {1000, 1000}, 2, {0, 1000}, {1000, 1000});
+  EXPECT_NE(refusal([&] { clockwise.initialize(); }), "");
+  EXPECT_EQ(refusedStep(world), "") << "it was told already";
+  MapPart late(world, 1);
+  EXPECT_NE(refusal([&] { late.line({0, 0}, {1 << 29, 0}); }), "");
+  EXPECT_EQ(refusedStep(world), "") << "it has got nothing";
 }
 
 // Adds the edges of a polygon as warps to part 2.

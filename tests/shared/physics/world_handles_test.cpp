@@ -35,11 +35,11 @@ TEST(WorldHandlesTest, HandlesFollowAWorldThatIsMoved) {
   MapPart part(world, 3);
   part.line({0, 0}, {5, 5});
   World moved = std::move(world);
+  part.initialize();
+  EXPECT_NE(moved.geometry().find(3), nullptr);
   step(moved, entity);
   EXPECT_EQ(&entity.world(), &moved);
   EXPECT_EQ(entity.position(), Point(107, 3));
-  part.initialize();
-  EXPECT_NE(moved.geometry().find(3), nullptr);
   World assigned;
   assigned = std::move(moved);
   step(assigned, entity);

@@ -15,8 +15,9 @@ class World;
 struct WorldLink;
 
 /// Builder and handle of one map part. Add segments and warps, then call `initialize` once: the geometry is
-/// preprocessed, becomes immutable and is added to the world. Like an Entity, it follows its world when that is moved
-/// and must not be used after its end.
+/// preprocessed, becomes immutable and is added to the world. World::solve refuses to go on while a part has segments
+/// or warps and `initialize` was not called. Like an Entity, it follows its world when that is moved and must not be
+/// used after its end.
 class MapPart {
  public:
   /// `id` must be unique in the world by the time of `initialize`.

@@ -75,8 +75,8 @@ class World {
 
   /// Advances all entities by one tick, in order of their indices, then delivers the events to the rules (see Rules).
   /// Reports every leg to `observer` unless it is null. When Rules::pierce or `observer` throws, the world stays as it
-  /// was. When a callback throws, the step is complete. Throws std::logic_error when a callback, `pierce` or an
-  /// observer calls it.
+  /// was. When a callback throws, the step is complete. Throws std::logic_error, and changes nothing, when a callback,
+  /// `pierce` or an observer calls it, or when a map part has segments or warps but MapPart::initialize was not called.
   void solve(StepObserver* observer = nullptr);
   /// The same by `rules` instead of those of setRules: they are asked in this tick and receive its events, also those
   /// of changes that its callbacks make. Rules that a callback sets are those of later calls. So a copy that predicts
