@@ -1,5 +1,6 @@
 #include "platon/physics/entity.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -50,6 +51,18 @@ Angle Entity::rotation() const { return state().angle; }
 std::uint32_t Entity::part() const { return state().part; }
 Angle Entity::heading() const { return state().heading; }
 bool Entity::inserted() const { return state().inserted != 0; }
+
+bool Entity::isAtLimit() const {
+  constexpr std::int32_t kNear = 8;
+  const EntityState& mine = state();
+  const auto isNear = [](Point position) { return maxNorm(position) >= kCoordinateLimit - kNear; };
+  if (mine.inserted == 0) return false;
+  const auto further = world().instancesOf(id_.index);
+  return isNear(mine.position) || std::any_of(further.begin(), further.end(), [&](const InstanceState& instance) {
+           return isNear(positionOf(mine, instance));
+         });
+}
+
 const Convex& Entity::shape() const { return world().shapeOf(world().checked(id_)); }
 
 void Entity::setVelocity(Point velocity) { setVelocity(velocity, Angle()); }

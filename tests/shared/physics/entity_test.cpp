@@ -126,6 +126,48 @@ TEST(EntityTest, AdditionsInTheHeadingAreExact) {
   }
 }
 
+// A body that left the coordinates stopped, and nothing told.
+TEST(EntityTest, TellsThatItIsAtTheLimitOfTheCoordinates) {
+  constexpr std::int32_t last = kCoordinateLimit - 1;
+  for (const Angle frame : {Angle(), Angle(9000), Angle(18000), Angle(27000), Angle(1234)}) {
+    World world;
+    addPart(world, 0, {});
+    Entity entity(world, square(5));
+    EXPECT_FALSE(entity.isAtLimit()) << "in no part";
+    MapPart(world, 0).insert(entity, {0, 0}, Angle());
+    entity.setVelocity({kVelocityLimit - 1, 0}, frame);
+    world.solve();
+    EXPECT_FALSE(entity.isAtLimit());
+    for (int tick = 0; tick < 3; ++tick) world.solve();
+    EXPECT_TRUE(entity.isAtLimit()) << frame.centidegrees();
+    EXPECT_EQ(maxNorm(entity.position()), last) << frame.centidegrees();
+    entity.setVelocity({-9, 0}, frame);
+    world.solve();
+    EXPECT_FALSE(entity.isAtLimit()) << frame.centidegrees();
+  }
+}
+
+TEST(EntityTest, IsAtTheLimitWhereAFurtherInstanceIs) {
+  constexpr std::int32_t last = kCoordinateLimit - 1;
+  World world;
+  addPart(world, 0, {});
+  addPart(world, 1, {});
+  Entity entity(world, square(5));
+  MapPart(world, 0).insert(entity, {0, 0}, Angle());
+  MapPart(world, 1).insert(entity, {0, 100 - last}, Angle());
+  EXPECT_FALSE(entity.isAtLimit());
+  entity.setVelocity({0, -200});
+  world.solve();
+  EXPECT_EQ(entity.position(), Point(0, -100));
+  EXPECT_TRUE(entity.isAtLimit());
+  entity.setVelocity({0, 7});
+  world.solve();
+  EXPECT_TRUE(entity.isAtLimit()) << "7 subunits from it";
+  entity.setVelocity({0, 1});
+  world.solve();
+  EXPECT_FALSE(entity.isAtLimit());
+}
+
 TEST(EntityTest, RefusesValuesOutOfRange) {
   World world;
   Entity entity(world, square(5));
@@ -175,6 +217,7 @@ TEST(EntityTest, RefusesHandlesOfEntitiesThatDoNotExist) {
   EXPECT_EQ(refusal([&] { lost.addVelocity({1, 1}); }), missing);
   EXPECT_EQ(refusal([&] { lost.rotate(1); }), missing);
   EXPECT_EQ(refusal([&] { lost.erase(); }), missing);
+  EXPECT_EQ(refusal([&] { (void)lost.isAtLimit(); }), missing);
   EXPECT_EQ(world, before);
 }
 

@@ -60,6 +60,11 @@ class Entity {
   /// Whether the entity is in a map part.
   bool inserted() const;
 
+  /// Whether an instance is at the limit of the coordinates, at most 8 subunits from it. There a step stops the entity
+  /// as a wall would, but no callback tells: a program that lets bodies fall out of its map asks after each step, and
+  /// erases or returns them. A body can slide along the limit.
+  bool isAtLimit() const;
+
   /// Sets the velocity in the frame of the home part. Requires |velocity| < 2^28 per coordinate.
   void setVelocity(Point velocity);
   /// Sets the velocity in a frame rotated by `frame` against the home part. Both values are stored unrounded, and
