@@ -213,13 +213,13 @@ std::optional<IdealEntry> clipIdeal(const Convex& shape, const Segment& segment,
 std::optional<std::size_t> touchedEdge(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                        PrecisePoint displacement) {
   std::optional<std::size_t> touched;
-  for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
-    const Obstacle::HalfPlane& half = obstacle.halfPlanes()[index];
+  for (const std::size_t index : obstacle.relevantHalfPlanes(positions)) {
+    const Obstacle::HalfPlane half = obstacle.halfPlane(index);
     const int128 start = distanceTo(half, from);
     if (start < -int128{half.oneNorm()} * PrecisePoint::kOne) continue;
     const int128 tolerance = int128{Tolerances::kOnEdge} * half.oneNorm();
     const bool isOn = start >= -tolerance && start <= tolerance;
-    const bool isOther = touched && cross(obstacle.halfPlanes()[*touched].normal, half.normal) != 0;
+    const bool isOther = touched && cross(obstacle.halfPlane(*touched).normal, half.normal) != 0;
     if (isOther || !isOn || start + dotPrecise(half.normal, displacement) >= -tolerance) return std::nullopt;
     if (!touched) touched = index;
   }
@@ -230,8 +230,8 @@ std::optional<IdealEntry> clipIdeal(Obstacle& obstacle, const Box& positions, Pr
                                     PrecisePoint displacement) {
   if (const auto touched = touchedEdge(obstacle, positions, from, displacement)) return IdealEntry{{0, 1}, *touched};
   IdealClip clip(obstacle.sideCount(), from, displacement);
-  for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
-    if (clip.intersect(index, obstacle.halfPlanes()[index])) continue;
+  for (const std::size_t index : obstacle.relevantHalfPlanes(positions)) {
+    if (clip.intersect(index, obstacle.halfPlane(index))) continue;
     obstacle.setSeparatingHint(index);
     return std::nullopt;
   }

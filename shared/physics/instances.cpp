@@ -1,6 +1,7 @@
 #include "shared/physics/instances.h"
 
 #include <algorithm>
+#include <array>
 
 #include "platon/exact/integer.h"
 #include "shared/exact/lattice.h"
@@ -220,14 +221,13 @@ std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
   const Angle before = home().angle;
   const Warp& warp = home().part->warps[placements_[next].warp];
   const PrecisePoint there = warp.map(precise(home().position) + remainder);
-  undo_ = placements_;
   makeHome(next);
-  anchorAll();
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     if (isWithinError(i)) continue;
-    placements_ = undo_;
+    makeHome(next);  // as it was
     return std::nullopt;
   }
+  anchorAll();
   ++crossings_;
   hasRehomed_ = true;
   remainder = there - precise(home().position);
@@ -273,7 +273,8 @@ bool Instances::isInside(const MapGeometry& part, Point centre) {
 
 // Tries it, and takes it back.
 bool Instances::canRehomeAt(Point home, Collider& collider) {
-  before_ = placements_;
+  std::array<Placement, kMax> before;
+  std::copy(placements_.begin(), placements_.end(), before.begin());
   const std::uint32_t crossings = crossings_;
   const bool hasRehomed = hasRehomed_;
   moveHomeTo(home);
@@ -283,7 +284,7 @@ bool Instances::canRehomeAt(Point home, Collider& collider) {
     if (!rehome(remainder)) break;
   }
   const bool can = !needsRehome();
-  placements_.swap(before_);
+  std::copy_n(before.begin(), placements_.size(), placements_.begin());
   crossings_ = crossings;
   hasRehomed_ = hasRehomed;
   return can;
@@ -340,20 +341,21 @@ bool Instances::isWithinError(std::size_t index) const {
 
 // The work of dropUnreached where there are further instances.
 bool Instances::dropOthers(std::int32_t margin, Collider& collider) {
-  kept_.clear();
-  for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(isReached(i, margin, collider));
-  if (std::find(kept_.begin(), kept_.end(), 0) == kept_.end()) return false;
-  for (std::size_t i = 0; i < placements_.size(); ++i) kept_[i] = isConnected(i) ? kept_[i] : 0;
-  const auto keptBefore = [&](std::size_t index) {
-    return static_cast<std::size_t>(std::count(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(index), 1));
+  std::array<bool, kMax> kept{};
+  for (std::size_t i = 0; i < placements_.size(); ++i) kept[i] = isReached(i, margin, collider);
+  const auto isConnected = [&](std::size_t index) {  // it and all its ancestors are kept
+    while (index != Placement::kNone && kept[index]) index = placements_[index].parent;
+    return index == Placement::kNone;
   };
-  const std::size_t left = keptBefore(placements_.size());
+  std::array<std::size_t, kMax> places{};  // those that stay, by their index
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < placements_.size(); ++i) places[i] = isConnected(i) ? left++ : Placement::kNone;
   if (left == placements_.size()) return false;
-  for (Placement& placement : placements_) {
-    if (placement.parent != Placement::kNone) placement.parent = keptBefore(placement.parent);
-  }
-  for (std::size_t i = 0; i < kept_.size(); ++i) {
-    if (kept_[i] != 0) placements_[keptBefore(i)] = placements_[i];
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (places[i] == Placement::kNone) continue;
+    Placement& moved = placements_[places[i]];
+    moved = placements_[i];
+    if (moved.parent != Placement::kNone) moved.parent = places[moved.parent];
   }
   placements_.resize(left);
   return true;
@@ -365,14 +367,6 @@ bool Instances::isReached(std::size_t index, std::int32_t margin, Collider& coll
   const Placement& parent = placements_[child.parent];
   return collider.clip(parent, {parent.position, parent.position, margin}, parent.part->segmentOfWarp(child.warp))
       .has_value();
-}
-
-// Whether the placement and all its ancestors are kept.
-bool Instances::isConnected(std::size_t index) const {
-  for (; index != Placement::kNone; index = placements_[index].parent) {
-    if (kept_[index] == 0) return false;
-  }
-  return true;
 }
 
 std::int64_t Instances::squaredError(PrecisePoint ideal, Point point) {

@@ -161,7 +161,6 @@ class Instances {
   void anchorAll();
   bool isWithinError(std::size_t index) const;
   bool isReached(std::size_t index, std::int32_t margin, Collider& collider) const;
-  bool isConnected(std::size_t index) const;
   PrecisePoint exactPosition(std::size_t index) const;
   PrecisePoint idealOfFurther(std::size_t index, PrecisePoint home) const;
   static std::int64_t squaredError(PrecisePoint ideal, Point point);
@@ -178,10 +177,6 @@ class Instances {
   std::uint32_t crossings_ = 0;
   bool hasRehomed_ = false;  // since load
   std::vector<Placement> placements_;
-  // Work space, kept between steps to avoid allocations.
-  std::vector<Placement> undo_;
-  std::vector<Placement> before_;
-  std::vector<std::uint8_t> kept_;
 };
 
 }  // namespace platon

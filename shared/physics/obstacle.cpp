@@ -42,16 +42,10 @@ void Obstacle::build(const Convex& shape, const Segment& segment) {
   segment_ = segment;
   separatingHint_ = 0;
   relevantBox_ = kEmptyBox;
-  halfPlanes_.clear();
-  halfPlanes_.reserve(shape.edges().size() + 2);
-  relevant_.reserve(shape.edges().size() + 2);
-  if (sideCount() != 0) {
-    for (const HalfPlane& side : sideHalfPlanes(shape, segment)) {
-      features_[halfPlanes_.size()] = sideFeature(shape, side.normal);
-      halfPlanes_.push_back(side);
-    }
-  }
-  for (const Convex::Edge& edge : shape.edges()) halfPlanes_.push_back(edgeHalfPlane(edge, segment));
+  relevant_.reserve(halfPlaneCount());
+  if (sideCount() == 0) return;
+  sides_ = sideHalfPlanes(shape, segment);
+  for (std::size_t side = 0; side < 2; ++side) features_[side] = sideFeature(shape, sides_[side].normal);
 }
 
 // A half plane contains a box when it contains the corner farthest along its normal. Bounds: the box is within
@@ -59,8 +53,8 @@ void Obstacle::build(const Convex& shape, const Segment& segment) {
 void Obstacle::findRelevant(const Box& positions) {
   relevantBox_ = positions.grown(relevantMargin(shape_->bounds()));
   relevant_.clear();
-  for (std::uint32_t i = 0; i < halfPlanes_.size(); ++i) {
-    const HalfPlane& half = halfPlanes_[i];
+  for (std::uint32_t i = 0; i < halfPlaneCount(); ++i) {
+    const HalfPlane half = halfPlane(i);
     const Point farthest{half.normal.x > 0 ? relevantBox_.high.x : relevantBox_.low.x,
                          half.normal.y > 0 ? relevantBox_.high.y : relevantBox_.low.y};
     if (dot(half.normal, farthest) + half.offset >= 0) relevant_.push_back(i);

@@ -44,6 +44,7 @@ Box unbounded(Box box) {
 void Region::refill(const MapGeometry& part, const Box& box, Work& work) {
   const bool isSamePart = part_ == &part;
   part_ = &part;
+  work_ = &work;
   Box wide = widened(clamped(box), 2);
   std::vector<std::uint32_t>& found = work.found;
   found.clear();
@@ -69,13 +70,15 @@ void Region::refill(const MapGeometry& part, const Box& box, Work& work) {
 
 void Region::forgetShape() {
   shape_ = nullptr;
-  for (Obstacle& obstacle : obstacles_) obstacle.reset();
+  for (std::size_t entry = 0; entry < obstacleOf_.size(); ++entry) {
+    if (obstacleOf_[entry] != kNoObstacle) keptAt(entry).obstacle.reset();
+  }
 }
 
 // Keeps what is known of segments that are still in the region. The obstacles of the others become unused, and, when
-// there are no more, those from which the shape is separated.
+// the region may have no more, those from which the shape is separated.
 void Region::keepDerived(Work& work) {
-  const bool isFull = !mayAllocate();
+  const bool isFull = obstacleCount_ == kMaxObstacles;
   work.obstacles = obstacleOf_;
   work.separating = separating_;
   obstacleOf_.assign(segments_.size(), kNoObstacle);
@@ -87,10 +90,12 @@ void Region::keepDerived(Work& work) {
     const auto entry = static_cast<std::size_t>(segment - segments_.begin());
     if (isKept) separating_[entry] = work.separating[before];
     if (work.obstacles[before] == kNoObstacle) continue;
-    if (isKept && !(isFull && isSeparated(entry)))
+    if (isKept && !(isFull && isSeparated(entry))) {
       obstacleOf_[entry] = work.obstacles[before];
-    else
-      unused_.push_back(work.obstacles[before]);
+    } else {
+      work.unused.push_back(work.obstacles[before]);
+      --obstacleCount_;
+    }
   }
 }
 
@@ -101,7 +106,7 @@ std::optional<Sweep::ClipInterval> Region::clipClosely(const Sweep& sweep, std::
   if (obstacleOf_[entry] == kNoObstacle) {
     separating_[entry] = kNoHalfPlane;
     const auto interval = sweep.clip(part_->segments[segments_[entry]], separating_[entry]);
-    if (!isSeparated(entry) && mayAllocate()) allocateObstacle(entry);
+    if (!isSeparated(entry) && obstacleCount_ < kMaxObstacles) allocateObstacle(entry);
     return interval;
   }
   Obstacle& obstacle = this->obstacle(entry, shape);
@@ -128,7 +133,7 @@ std::optional<std::size_t> Region::touchedEdge(std::size_t entry, const Convex& 
                                                PrecisePoint displacement) {
   if (shape_ != &shape || !hasObstacle(entry)) return std::nullopt;
   const Point place = rounded(from);
-  return platon::touchedEdge(obstacles_[obstacleOf_[entry]], Box{place, place}.grown(1), from, displacement);
+  return platon::touchedEdge(keptAt(entry).obstacle, Box{place, place}.grown(1), from, displacement);
 }
 
 bool Region::entersAtOnce(std::size_t entry, PrecisePoint from, PrecisePoint displacement) {
@@ -142,22 +147,25 @@ bool Region::entersAtOnce(std::size_t entry, PrecisePoint from, PrecisePoint dis
 ObstacleEdge Region::edgeOf(std::size_t entry, std::size_t index) {
   const Segment& segment = part_->segments[segments_[entry]];
   if (!hasObstacle(entry)) return platon::edgeOf(*shape_, segment, halfPlaneOf(*shape_, segment, index));
-  const Obstacle::HalfPlane& half = obstacles_[obstacleOf_[entry]].halfPlanes()[index];
-  ObstacleEdge& edge = touched_[obstacleOf_[entry]];
+  const Obstacle::HalfPlane half = keptAt(entry).obstacle.halfPlane(index);
+  ObstacleEdge& edge = keptAt(entry).touched;
   if (edge.half.normal != half.normal) edge = platon::edgeOf(*shape_, segment, half);
   return edge;
 }
 
 void Region::allocateObstacle(std::size_t entry) {
-  if (unused_.empty()) {
-    obstacleOf_[entry] = static_cast<std::uint32_t>(obstacles_.size());
-    obstacles_.emplace_back();
-    touched_.emplace_back();
+  ++obstacleCount_;
+  if (work_->unused.empty()) {
+    std::vector<Kept>& kept = work_->kept;
+    obstacleOf_[entry] = static_cast<std::uint32_t>(kept.size());
+    if (kept.size() == kept.capacity())
+      kept.reserve(kept.size() + kept.size() / 8 + 8);  // doubled, most would be unused
+    kept.emplace_back();
     return;
   }
-  obstacleOf_[entry] = unused_.back();
-  unused_.pop_back();
-  obstacles_[obstacleOf_[entry]].reset();
+  obstacleOf_[entry] = work_->unused.back();
+  work_->unused.pop_back();
+  keptAt(entry).obstacle.reset();
 }
 
 std::optional<std::size_t> Region::entryOf(std::uint32_t segment) const {

@@ -21,14 +21,23 @@ namespace platon {
 /// Most segments of a crowded region stay separated from the shape by one half plane, which is all that is kept of
 /// their obstacles. So its memory is 40 bytes a segment and that of at most kMaxObstacles obstacles.
 class Region {
+  // An obstacle, and what was derived of it.
+  struct Kept {
+    Obstacle obstacle;
+    ObstacleEdge touched{};  // the result of the last edgeOf; its normal is (0, 0) before
+  };
+
  public:
   /// A region with more segments covers hardly more than it must.
   static constexpr std::size_t kManySegments = 512;
   /// Limit of obstacles kept at a time.
   static constexpr std::size_t kMaxObstacles = 48;
 
-  /// Work space for regions that are refilled in turn. Shared, since it would be as large as a region.
+  /// What the regions of a world share: the obstacles of all, and work space for refilling one, which would be as large
+  /// as a region.
   struct Work {
+    std::vector<Kept> kept;
+    std::vector<std::uint32_t> unused;  ///< indices of obstacles that no region has
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> segments;
     std::vector<std::uint32_t> obstacles;
@@ -36,8 +45,8 @@ class Region {
   };
 
   /// Ensures that the region contains every segment that touches `box`. The covered area is larger than `box`, so that
-  /// an entity stays inside it for several steps.
-  /// Returns whether the entries have changed.
+  /// an entity stays inside it for several steps. Returns whether the entries have changed. `work` must be the same in
+  /// all calls, and outlive the region's use.
   bool cover(const MapGeometry& part, const Box& box, Work& work) {
     const bool isCovered = part_ == &part && covered_.contains(box);
     if (!isCovered) refill(part, box, work);
@@ -87,7 +96,7 @@ class Region {
   ObstacleEdge edgeOf(std::size_t entry, std::size_t index);
   /// The collision that belongs to the result of `clip`.
   Hit hitOf(std::size_t entry, const Sweep::ClipInterval& interval) const {
-    if (hasObstacle(entry)) return Sweep::hitOf(obstacles_[obstacleOf_[entry]], interval);
+    if (hasObstacle(entry)) return Sweep::hitOf(keptAt(entry).obstacle, interval);
     return Sweep::hitOf(*shape_, part_->segments[segments_[entry]], interval);
   }
 
@@ -101,18 +110,18 @@ class Region {
   void keepSeparation(const Sweep& sweep, std::size_t entry, const Obstacle& obstacle);
   std::optional<Sweep::ClipInterval> clipClosely(const Sweep& sweep, std::size_t entry, const Convex& shape);
   bool hasObstacle(std::size_t entry) const {
-    return obstacleOf_[entry] != kNoObstacle && obstacles_[obstacleOf_[entry]].belongsTo(*shape_);
+    return obstacleOf_[entry] != kNoObstacle && keptAt(entry).obstacle.belongsTo(*shape_);
   }
+  Kept& keptAt(std::size_t entry) const { return work_->kept[obstacleOf_[entry]]; }
   bool isSeparated(std::size_t entry) const { return separating_[entry].normal != Point(); }
-  bool mayAllocate() const { return !unused_.empty() || obstacles_.size() < kMaxObstacles; }
   void allocateObstacle(std::size_t entry);
   Obstacle& obstacle(std::size_t entry, const Convex& shape) {
-    Obstacle& obstacle = obstacles_[obstacleOf_[entry]];
-    if (!obstacle.belongsTo(shape)) {
-      obstacle.build(shape, part_->segments[segments_[entry]]);
-      touched_[obstacleOf_[entry]] = {};
+    Kept& kept = keptAt(entry);
+    if (!kept.obstacle.belongsTo(shape)) {
+      kept.obstacle.build(shape, part_->segments[segments_[entry]]);
+      kept.touched = {};
     }
-    return obstacle;
+    return kept.obstacle;
   }
 
   const MapGeometry* part_ = nullptr;
@@ -122,10 +131,9 @@ class Region {
   std::size_t firstWarp_ = 0;
   std::vector<Box> bounds_;                      // by entry
   std::vector<Obstacle::HalfPlane> separating_;  // by entry: one that excluded a displacement, or kNoHalfPlane
-  std::vector<std::uint32_t> obstacleOf_;        // by entry: index into obstacles_, or kNoObstacle
-  std::vector<Obstacle> obstacles_;
-  std::vector<ObstacleEdge> touched_;  // by obstacle: the result of the last edgeOf; its normal is (0, 0) before
-  std::vector<std::uint32_t> unused_;  // indices of obstacles without an entry
+  std::vector<std::uint32_t> obstacleOf_;        // by entry: index into work_->kept, or kNoObstacle
+  std::size_t obstacleCount_ = 0;
+  Work* work_ = nullptr;
 };
 
 }  // namespace platon

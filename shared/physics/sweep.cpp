@@ -91,8 +91,8 @@ std::optional<Hit> Sweep::against(Obstacle& obstacle) const {
 
 std::optional<Sweep::ClipInterval> Sweep::clipToHalfPlanes(Obstacle& obstacle) const {
   ClipInterval interval;
-  for (const std::uint32_t i : obstacle.relevantHalfPlanes(path_)) {
-    if (intersect(interval, endDistancesTo(obstacle.halfPlanes()[i]), i)) continue;
+  for (const std::size_t i : obstacle.relevantHalfPlanes(path_)) {
+    if (intersect(interval, endDistancesTo(obstacle.halfPlane(i)), i)) continue;
     obstacle.setSeparatingHint(i);
     return std::nullopt;
   }
@@ -105,7 +105,7 @@ Hit Sweep::hitOf(const Obstacle& obstacle, const ClipInterval& interval) {
   if (interval.entered >= obstacle.sideCount()) {
     return edgeHit(interval, obstacle.shape(), interval.entered - obstacle.sideCount(), obstacle.segment());
   }
-  return makeHit(interval, obstacle.halfPlanes()[interval.entered].normal, obstacle.sideFeature(interval.entered),
+  return makeHit(interval, obstacle.halfPlane(interval.entered).normal, obstacle.sideFeature(interval.entered),
                  Hit::Side::kSegment);
 }
 

@@ -100,7 +100,7 @@ FAULTS = [
               "the normal of a hit points away from the moving shape",
               "SweepTest.NormalFacesTheShapeAndTheFeatureTouches"),
     at_length("normal-of-an-obstacle-inwards", PHYSICS + "sweep.cpp",
-              "return makeHit(interval, obstacle.halfPlanes()", "return makeHit(interval, -obstacle.halfPlanes()",
+              "return makeHit(interval, obstacle.halfPlane(", "return makeHit(interval, -obstacle.halfPlane(",
               "the normal of a hit points away from the moving shape",
               "ObstacleTest.CachedQueriesEqualFreshQueries"),
     at_length("feature-of-the-other-end", PHYSICS + "sweep.cpp", "along > 0 ? segment.b", "along < 0 ? segment.b",

@@ -36,7 +36,7 @@ IDEAL_FAULTS = [
     at_length("nearest-of-those-that-are-kept", PHYSICS + "ideal_geometry.cpp",
               "return resultOf(clip, obstacle.shape(), obstacle.segment());",
               "for (const auto i : obstacle.relevantHalfPlanes(positions))\n"
-              "    if (clip.startsInside()) clip.findNearest(i, obstacle.halfPlanes()[i]);\n  return clip.result();",
+              "    if (clip.startsInside()) clip.findNearest(i, obstacle.halfPlane(i));\n  return clip.result();",
               "the way out of an obstacle depends on what is kept of it",
               "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
     Fault("sides-come-second", PHYSICS + "ideal_geometry.cpp",

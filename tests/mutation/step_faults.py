@@ -94,7 +94,7 @@ STEP_FAULTS = [
           "a sliding body reports another contact than one that comes from elsewhere",
           "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
     at_length("touches-an-old-edge", PHYSICS + "region.h",
-              "      touched_[obstacleOf_[entry]] = {};\n", "",
+              "      kept.touched = {};\n", "",
               "an edge of an obstacle has the ends of one that stood in its place",
               "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
 

@@ -70,11 +70,11 @@ TEST(ClipIdealTest, AnObstacleAgreesWithItsShapeAndSegment) {
     const Segment segment{random.vector(60), round % 8 == 0 ? random.vector(60) : random.vector(300)};
     Obstacle obstacle;
     obstacle.build(shape, segment);
-    const Obstacle::HalfPlane& half = obstacle.halfPlanes()[random.below(obstacle.halfPlanes().size())];
+    const Obstacle::HalfPlane half = obstacle.halfPlane(random.below(obstacle.halfPlaneCount()));
     const Point noise = random.vector(3 * static_cast<std::int32_t>(Tolerances::kOnEdge));
     PrecisePoint from = putOnto(half, precise(random.vector(100)));
     if (round % 4 == 0) {  // where two edges, or what would continue them, meet
-      const Obstacle::HalfPlane& other = obstacle.halfPlanes()[random.below(obstacle.halfPlanes().size())];
+      const Obstacle::HalfPlane other = obstacle.halfPlane(random.below(obstacle.halfPlaneCount()));
       for (int i = 0; i < 100; ++i) from = putOnto(i % 2 == 0 ? other : half, from);
     }
     from = from + PrecisePoint{noise.x, noise.y};

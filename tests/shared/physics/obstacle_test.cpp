@@ -52,16 +52,16 @@ TEST(ObstacleTest, OtherHalfPlanesContainTheBox) {
   const Convex shape = regular(8, 1000);
   Obstacle obstacle;
   obstacle.build(shape, {{-700, 100}, {900, -300}});
-  ASSERT_EQ(obstacle.halfPlanes().size(), shape.vertices().size() + 2);
+  ASSERT_EQ(obstacle.halfPlaneCount(), shape.vertices().size() + 2);
   for (int i = 0; i < 2000; ++i) {
     const Point low = random.vector(2500);
     const auto width = static_cast<std::int32_t>(random.below(600));
     const auto height = static_cast<std::int32_t>(random.below(600));
     const Box way{low, low + Point(width, height)};
     const auto boundaries = obstacle.relevantHalfPlanes(way);
-    for (std::uint32_t j = 0; j < obstacle.halfPlanes().size(); ++j) {
+    for (std::uint32_t j = 0; j < obstacle.halfPlaneCount(); ++j) {
       if (std::find(boundaries.begin(), boundaries.end(), j) != boundaries.end()) continue;
-      const Obstacle::HalfPlane& half = obstacle.halfPlanes()[j];
+      const Obstacle::HalfPlane half = obstacle.halfPlane(j);
       for (const Point corner : {way.low, way.high, Point(way.low.x, way.high.y), Point(way.high.x, way.low.y)}) {
         ASSERT_LT(dot(half.normal, corner) + half.offset, 0)
             << "seed " << kSeed << ", box " << i << ", half plane " << j;

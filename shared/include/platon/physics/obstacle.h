@@ -15,8 +15,9 @@ namespace platon {
 
 /// The configuration-space obstacle of a segment L for a convex shape S (Lozano-Pérez, Spatial Planning: A
 /// Configuration Space Approach, 1983): all positions at which S overlaps L. It is the open convex polygon L + (-S)
-/// (docs/exactness.md), stored as the half planes whose intersection it is: the two sides of L, then the edges of -S.
-/// Its vertices are not computed. Exact. Built once for a shape and a segment, then queried by many sweeps.
+/// (docs/exactness.md), the intersection of half planes: the two sides of L, then one for each edge of -S. Its vertices
+/// are not computed. Exact. Built once for a shape and a segment, then queried by many sweeps. Keeps the sides, and of
+/// the others only which are relevant: an edge of the shape and two products give each again.
 ///
 /// Bounds: with coordinates < 2^29, |normal| < 2^30, dot(normal, vertex) < 2^60 and |offset| < 2^61. With a segment
 /// given relative to a position, whose coordinates are < 2^30, |offset| < 1.5 * 2^61.
@@ -51,16 +52,19 @@ class Obstacle {
 
   const Convex& shape() const { return *shape_; }
   const Segment& segment() const { return segment_; }
-  /// The left and the right side of the segment (omitted for a point), then one half plane per edge of the shape.
-  std::span<const HalfPlane> halfPlanes() const { return halfPlanes_; }
-  /// Number of sides at the start of halfPlanes(): 2, or 0 for a point.
+  /// Half planes are numbered: the left and the right side of the segment (omitted for a point), then the edges of the
+  /// shape.
+  HalfPlane halfPlane(std::size_t index) const {
+    const std::size_t sides = sideCount();
+    return index < sides ? sides_[index] : edgeHalfPlane(shape_->edges()[index - sides], segment_);
+  }
+  std::size_t halfPlaneCount() const { return sideCount() + shape_->edges().size(); }
+  /// 2, or 0 for a point.
   std::size_t sideCount() const { return segment_.a == segment_.b ? 0 : 2; }
 
-  /// Index of the half plane that excluded the last displacement. Tried first; influences speed only.
-  std::size_t separatingHint() const { return separatingHint_; }
-  /// That half plane.
-  const HalfPlane& separatingHalfPlane() const { return halfPlanes_[separatingHint_]; }
-  void setSeparatingHint(std::size_t halfPlane) { separatingHint_ = halfPlane; }
+  /// The half plane that excluded the last displacement. Tried first; influences speed only.
+  HalfPlane separatingHalfPlane() const { return halfPlane(separatingHint_); }
+  void setSeparatingHint(std::size_t index) { separatingHint_ = static_cast<std::uint32_t>(index); }
 
   /// Indices, ascending, of all half planes that do not contain the whole box `positions`. May include others. Cached
   /// for a larger box, so that consecutive steps of an entity do not recompute it.
@@ -76,11 +80,11 @@ class Obstacle {
 
   const Convex* shape_ = nullptr;
   Segment segment_;
-  std::vector<HalfPlane> halfPlanes_;
+  std::array<HalfPlane, 2> sides_{};
   std::array<Point, 2> features_;
-  std::size_t separatingHint_ = 0;
   Box relevantBox_;
   std::vector<std::uint32_t> relevant_;
+  std::uint32_t separatingHint_ = 0;
 };
 
 }  // namespace platon

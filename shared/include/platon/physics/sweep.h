@@ -68,7 +68,7 @@ class Sweep {
   /// of the segment must not be missed (see `misses`).
   std::optional<ClipInterval> clip(Obstacle& obstacle) const {
     // Fast path: the half plane that excluded the last displacement usually excludes this one.
-    if (isExcluded(obstacle.halfPlanes()[obstacle.separatingHint()])) return std::nullopt;
+    if (isExcluded(obstacle.separatingHalfPlane())) return std::nullopt;
     return clipToHalfPlanes(obstacle);
   }
   /// Whether the whole displacement is outside one half plane of an obstacle, and so outside the obstacle.
