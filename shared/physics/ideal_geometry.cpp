@@ -228,7 +228,6 @@ std::optional<std::size_t> touchedEdge(Obstacle& obstacle, const Box& positions,
 
 std::optional<IdealEntry> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                     PrecisePoint displacement) {
-  if (const auto touched = touchedEdge(obstacle, positions, from, displacement)) return IdealEntry{{0, 1}, *touched};
   IdealClip clip(obstacle.sideCount(), from, displacement);
   for (const std::size_t index : obstacle.relevantHalfPlanes(positions)) {
     if (clip.intersect(index, obstacle.halfPlane(index))) continue;

@@ -46,12 +46,11 @@ struct IdealEntry {
 std::optional<IdealEntry> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
                                     PrecisePoint displacement);
 /// The edge of the obstacle that a path enters at once because it starts on it, more than a subunit inside of all other
-/// half planes. Nothing in all other cases. `positions` must contain the start.
+/// half planes: `clipIdeal` finds the same. Nothing in all other cases. `positions` must contain the start.
 std::optional<std::size_t> touchedEdge(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                        PrecisePoint displacement);
 
-/// As `clipIdeal` above with a prebuilt obstacle. `positions` must contain the path. Fast where there is a touchedEdge,
-/// which is usual.
+/// As `clipIdeal` above with a prebuilt obstacle. `positions` must contain the path.
 std::optional<IdealEntry> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                     PrecisePoint displacement);
 

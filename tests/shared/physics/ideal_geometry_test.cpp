@@ -62,7 +62,7 @@ TEST(ClipIdealTest, AgreesWithTheSweepOnLatticePaths) {
 }
 
 // For places on an edge: some near its middle, some at its ends, some in the middle of the obstacle.
-TEST(ClipIdealTest, AnObstacleAgreesWithItsShapeAndSegment) {
+TEST(ClipIdealTest, AnObstacleAndItsTouchedEdgeAgreeWithTheShapeAndTheSegment) {
   sim::SeededRandom random(kSeed + 1);
   int atOnce = 0;
   for (int round = 0; round < 20000; ++round) {
@@ -82,9 +82,12 @@ TEST(ClipIdealTest, AnObstacleAgreesWithItsShapeAndSegment) {
     const Box path = Box{rounded(from), rounded(from)}.swept(rounded(by)).grown(2);
     const auto entered = clipIdeal(obstacle, path, from, by);
     ASSERT_EQ(entered, clipIdeal(shape, segment, from, by)) << "seed " << kSeed + 1 << ", round " << round;
-    atOnce += entered && entered->time.numerator == 0 ? 1 : 0;
+    const auto touched = touchedEdge(obstacle, path, from, by);
+    if (!touched) continue;
+    ++atOnce;
+    ASSERT_EQ(entered, (IdealEntry{{0, 1}, *touched})) << "seed " << kSeed + 1 << ", round " << round;
   }
-  EXPECT_GT(atOnce, 1500);
+  EXPECT_GT(atOnce, 800);
 }
 
 TEST(ClipIdealTest, APlaceOnAnEdgeTouchesIt) {
