@@ -30,8 +30,8 @@ World::World(World&& other) noexcept
   if (link_) link_->world = this;
 }
 
-// NOLINTNEXTLINE(bugprone-exception-escape): an error that cannot be reported in another way ends the program.
-World& World::operator=(World&& other) noexcept {
+// NOLINTNEXTLINE(performance-noexcept-move-constructor): a callback that assigns to its world is refused.
+World& World::operator=(World&& other) {
   if (this == &other) return *this;
   if (scratch_ != nullptr) requireNoCallback();
   geometry_ = std::move(other.geometry_);

@@ -55,15 +55,15 @@ struct WorldState {
 ///
 /// Functions that change the world throw std::logic_error when Rules::pierce or a StepObserver calls them: the world
 /// may be read during a step, and is then as it was before. Callbacks of Rules may change it, except by solving it,
-/// restoring it or assigning to it, which also throws std::logic_error (an assignment by move cannot throw and ends the
-/// program).
+/// restoring it or assigning to it, by copy or by move: these also throw std::logic_error and change nothing. A world
+/// that a callback moves elsewhere, as std::swap does, is not refused: the events that wait are dropped.
 class World {
  public:
   World();
   World(const World& other);
   World& operator=(const World& other);
   World(World&&) noexcept;
-  World& operator=(World&&) noexcept;
+  World& operator=(World&&);  // not noexcept: a callback that assigns to its world is refused
   ~World();
 
   /// Sets the rules for all that follows: `solve` and MapPart::insert ask them which segments block, and they receive

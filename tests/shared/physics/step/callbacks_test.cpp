@@ -219,7 +219,8 @@ TEST_F(CallbackTest, MayNotSolveRestoreOrAssign) {
   for (const std::function<void(World&)>& change : {std::function<void(World&)>([](World& w) { w.solve(); }),
                                                     {[&](World& w) { w.restore(state); }},
                                                     {[&](World& w) { w.restoreUnchecked(state); }},
-                                                    {[&](World& w) { w = before; }}}) {
+                                                    {[&](World& w) { w = before; }},
+                                                    {[&](World& w) { w = World(before); }}}) {
     EXPECT_THAT(refusedIn([&](Entity& entity) { change(entity.world()); }),
                 HasSubstr("a callback of Rules cannot solve, restore or assign to its world"));
     EXPECT_EQ(world, expected);
@@ -304,6 +305,18 @@ TEST_F(CallbackTest, AWorldThatIsMovedDropsTheEventsThatWait) {
   EXPECT_THAT(solve([&](Entity& entity) { elsewhere.emplace(std::move(entity.world())); }),
               ElementsAre("begin 0:0", "end 0:0", "contact 0:1"));
   elsewhere->solve();
+  EXPECT_THAT(rules.take(), ElementsAre("contact 0:1", "contact 0:1"));
+}
+
+TEST_F(CallbackTest, AWorldThatIsSwappedDropsTheEventsThatWait) {
+  World other = world;
+  const World before = world;
+  EXPECT_THAT(solve([&](Entity& entity) { std::swap(entity.world(), other); }),
+              ElementsAre("begin 0:0", "end 0:0", "contact 0:1"));
+  EXPECT_EQ(world, before) << "the other world is here now";
+  EXPECT_EQ(&first.world(), &other) << "the handles have followed";
+  rules.action = nullptr;
+  other.solve();
   EXPECT_THAT(rules.take(), ElementsAre("contact 0:1", "contact 0:1"));
 }
 
