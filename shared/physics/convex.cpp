@@ -9,7 +9,22 @@
 namespace platon {
 namespace {
 
-std::string atVertex(std::size_t index, const char* what) { return "vertex " + std::to_string(index + 1) + " " + what; }
+// Vertices are counted from 1. Their number and the coordinates leave no doubt which one is meant.
+std::string atVertex(std::span<const Point> vertices, std::size_t index, const std::string& what) {
+  const Point at = vertices[index];
+  return "vertex " + std::to_string(index + 1) + " of " + std::to_string(vertices.size()) + ", (" +
+         std::to_string(at.x) + ", " + std::to_string(at.y) + "), " + what;
+}
+
+// What is wrong with a vertex at which the polygon does not turn.
+std::string straightAt(std::span<const Point> vertices, std::size_t index) {
+  const std::size_t count = vertices.size();
+  for (const std::size_t neighbour : {(index + count - 1) % count, (index + 1) % count}) {
+    if (vertices[index] == vertices[neighbour])
+      return atVertex(vertices, index, "equals vertex " + std::to_string(neighbour + 1) + ": remove it");
+  }
+  return atVertex(vertices, index, "is collinear with its neighbours: remove it");
+}
 
 bool inSameHalfPlane(Point a, Point b) {
   // The upper half plane is the angles in [0°, 180°), the lower one those in [180°, 360°).
@@ -80,15 +95,15 @@ std::optional<std::string> Convex::fault(std::span<const Point> vertices) {
   if (count < 3) return "a shape needs at least 3 vertices, not " + std::to_string(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!isCoordinate(vertices[i].x) || !isCoordinate(vertices[i].y)) {
-      return atVertex(i, "is out of range: coordinates must be below 2^29 in magnitude");
+      return atVertex(vertices, i, "is out of range: coordinates must be below 2^29 in magnitude");
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t middle = i + 1 < count ? i + 1 : 0;
     const Point here = vertices[middle];
     const std::int64_t turn = cross(here - vertices[i], vertices[middle + 1 < count ? middle + 1 : 0] - here);
-    if (turn == 0) return atVertex(middle, "is collinear with its neighbours: remove it");
-    if (turn < 0) return atVertex(middle, "turns clockwise: a shape must be convex and counter-clockwise");
+    if (turn == 0) return straightAt(vertices, middle);
+    if (turn < 0) return atVertex(vertices, middle, "turns clockwise: a shape must be convex and counter-clockwise");
   }
   if (!windsOnce(vertices)) return "the edges wind around more than once";
   return std::nullopt;

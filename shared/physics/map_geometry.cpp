@@ -48,7 +48,8 @@ std::optional<std::uint16_t> Geometry::reverseWarp(std::uint32_t partId, const W
 
 std::shared_ptr<const Geometry> withPart(const Geometry& geometry, MapGeometry part) {
   if (geometry.find(part.id) != nullptr) {
-    throw std::invalid_argument("map part " + std::to_string(part.id) + " is already initialised: ids must be unique");
+    throw std::invalid_argument("map part " + std::to_string(part.id) +
+                                " is already initialised: call initialize() once, and give another part another id");
   }
   auto extended = std::make_shared<Geometry>(geometry);
   const auto place = extended->parts.begin() + (lowerBound(geometry, part.id) - geometry.parts.begin());

@@ -227,7 +227,7 @@ STEP_FAULTS = [
               "a rehome does not update the remainder",
               "InstancesTest.RehomeKeepsTheRemainder"),
     at_length("remainder-of-any-size-accepted", PHYSICS + "world_accepts.cpp",
-              " || !isRemainder(entity.remainder)", "",
+              "!isRemainder(entity.remainder)", "false",
               "a state with a remainder out of range is accepted",
               "WorldAcceptsTest.RejectsValuesOutOfRange"),
 

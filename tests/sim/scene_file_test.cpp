@@ -54,7 +54,7 @@ TEST(SceneTest, ReportsEveryErrorAtItsPosition) {
             "s:3:1: error: the velocity must be below 2^28 subunits per tick");
   EXPECT_EQ(faultsOf("shape 0 0 9 0 0\nentity 0 0"), "s:1:1: error: odd number of coordinates");
   EXPECT_EQ(faultsOf("shape 0 0 0 9 9 0\nentity 0 0"),
-            "s:1:1: error: vertex 2 turns clockwise: a shape must be convex and counter-clockwise");
+            "s:1:1: error: vertex 2 of 3, (0, 9), turns clockwise: a shape must be convex and counter-clockwise");
 }
 
 TEST(SceneTest, NeedsAShapeAndAnEntity) {

@@ -66,6 +66,7 @@ TEST(StageTest, EveryPartHasSegmentsThenPostsThenWarps) {
     const auto polygon = facePolygon(kind, 480);
     const auto posts = postsOf(kind, 480);
     ASSERT_EQ(world.geometry().parts.size(), lines.size());
+    EXPECT_EQ(world.mapFault(), std::nullopt) << nameOf(kind);
     for (std::size_t face = 0; face < lines.size(); ++face) {
       const MapGeometry& part = *world.geometry().parts[face];
       EXPECT_EQ(part.id, face);

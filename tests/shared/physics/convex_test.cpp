@@ -35,26 +35,42 @@ TEST(ConvexFaultTest, NeedsThreeVertices) {
 }
 
 TEST(ConvexFaultTest, NamesTheVertexOutOfRange) {
-  const std::string reason = "is out of range: coordinates must be below 2^29 in magnitude";
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {kMax + 1, 0}, {0, 1}}), Optional("vertex 2 " + reason));
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 0}, {0, -kMax - 1}}), Optional("vertex 3 " + reason));
-  EXPECT_THAT(Convex::fault(Points{{INT32_MIN, 0}, {1, 0}, {0, 1}}), Optional("vertex 1 " + reason));
+  const std::string reason = " is out of range: coordinates must be below 2^29 in magnitude";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {kMax + 1, 0}, {0, 1}}),
+              Optional("vertex 2 of 3, (536870912, 0)," + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 0}, {0, -kMax - 1}}),
+              Optional("vertex 3 of 3, (0, -536870912)," + reason));
+  EXPECT_THAT(Convex::fault(Points{{INT32_MIN, 0}, {1, 0}, {0, 1}}),
+              Optional("vertex 1 of 3, (-2147483648, 0)," + reason));
 }
 
 TEST(ConvexFaultTest, NamesTheCollinearVertex) {
-  const std::string reason = "is collinear with its neighbours: remove it";
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {5, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 " + reason));
-  EXPECT_THAT(Convex::fault(Points{{5, 0}, {10, 0}, {10, 10}, {0, 0}}), Optional("vertex 1 " + reason));
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 " + reason)) << "twice";
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {5, 0}}), Optional("vertex 2 " + reason)) << "a spike";
-  EXPECT_THAT(Convex::fault(Points{{3, 3}, {3, 3}, {3, 3}}), Optional("vertex 2 " + reason));
+  const std::string reason = " is collinear with its neighbours: remove it";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {5, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 of 4, (5, 0)," + reason));
+  EXPECT_THAT(Convex::fault(Points{{5, 0}, {10, 0}, {10, 10}, {0, 0}}), Optional("vertex 1 of 4, (5, 0)," + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {5, 0}}), Optional("vertex 2 of 3, (10, 0)," + reason))
+      << "a spike";
+}
+
+// A first vertex that was repeated at the end was called collinear.
+TEST(ConvexFaultTest, NamesTheVertexThatIsRepeated) {
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}),
+              Optional(std::string("vertex 5 of 5, (0, 0), equals vertex 1: remove it")));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 0}, {10, 0}, {10, 10}}),
+              Optional(std::string("vertex 2 of 4, (0, 0), equals vertex 1: remove it")));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {10, 10}}),
+              Optional(std::string("vertex 3 of 4, (10, 10), equals vertex 4: remove it")));
+  EXPECT_THAT(Convex::fault(Points{{3, 3}, {3, 3}, {3, 3}}),
+              Optional(std::string("vertex 2 of 3, (3, 3), equals vertex 1: remove it")));
 }
 
 TEST(ConvexFaultTest, NamesTheVertexThatTurnsClockwise) {
-  const std::string reason = "turns clockwise: a shape must be convex and counter-clockwise";
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 10}, {10, 10}, {10, 0}}), Optional("vertex 2 " + reason));
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {9, 1}}), Optional("vertex 4 " + reason)) << "a dent";
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 10}, {10, 0}, {0, 10}}), Optional("vertex 2 " + reason)) << "a bow tie";
+  const std::string reason = " turns clockwise: a shape must be convex and counter-clockwise";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 10}, {10, 10}, {10, 0}}), Optional("vertex 2 of 4, (0, 10)," + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {9, 1}}), Optional("vertex 4 of 4, (9, 1)," + reason))
+      << "a dent";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 10}, {10, 0}, {0, 10}}), Optional("vertex 2 of 4, (10, 10)," + reason))
+      << "a bow tie";
 }
 
 TEST(ConvexFaultTest, RejectsPolygonsThatWindTwice) {

@@ -121,7 +121,8 @@ TEST(GeometryTest, IdsAreUnique) {
     withPart(*geometry, part(5));
     FAIL();
   } catch (const std::invalid_argument& reason) {
-    EXPECT_STREQ(reason.what(), "map part 5 is already initialised: ids must be unique");
+    EXPECT_STREQ(reason.what(),
+                 "map part 5 is already initialised: call initialize() once, and give another part another id");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "platon/exact/integer.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
+#include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
@@ -102,7 +104,40 @@ TEST(MapPartTest, RejectsDuplicateIds) {
   World world;
   MapPart(world, 3).initialize();
   MapPart again(world, 3);
-  EXPECT_EQ(refusal([&] { again.initialize(); }), "map part 3 is already initialised: ids must be unique");
+  EXPECT_EQ(refusal([&] { again.initialize(); }),
+            "map part 3 is already initialised: call initialize() once, and give another part another id");
+}
+
+// The text spoke of ids only.
+TEST(MapPartTest, ASecondInitializeSaysThatOneIsEnough) {
+  World world;
+  MapPart face(world, 3);
+  face.line({0, 0}, {10, 0});
+  face.initialize();
+  const World before = world;
+  EXPECT_EQ(refusal([&] { face.initialize(); }),
+            "map part 3 is already initialised: call initialize() once, and give another part another id");
+  EXPECT_EQ(world, before);
+}
+
+// Such a warp blocked, and nobody was told.
+TEST(MapPartTest, AWarpThatCannotBePassedIsAFaultOfTheMap) {
+  World world;
+  EXPECT_EQ(world.mapFault(), std::nullopt);
+  addLeftStrip(world);
+  const std::string blocks = "map part 1, warp 0: it blocks like a wall, since map part 2 ";
+  EXPECT_EQ(world.mapFault(), blocks + "is not initialised");
+  World oneWay = world;
+  addPart(oneWay, 2, {});
+  EXPECT_EQ(oneWay.mapFault(), blocks + "has no reverse warp: add one there, with the ends of both segments exchanged");
+  addRightStrip(world);
+  EXPECT_EQ(world.mapFault(), std::nullopt);
+  MapPart last(world, 9);
+  last.warp({1000, -5000}, {1000, 5000}, 1, {-1000, -5000}, {-1000, 5000});
+  last.initialize();
+  EXPECT_EQ(world.mapFault(),
+            "map part 9, warp 0: it blocks like a wall, since map part 1 has no reverse warp: add one "
+            "there, with the ends of both segments exchanged");
 }
 
 TEST(MapPartTest, RejectsSegmentsAndWarpsAfterInitialize) {

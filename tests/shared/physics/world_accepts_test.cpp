@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 
 #include "platon/exact/integer.h"
 #include "platon/physics/entity.h"
@@ -188,8 +189,6 @@ TEST_F(WorldAcceptsTest, NamesTheFault) {
             "entity 0: it is in no map part but has further instances");
   EXPECT_EQ(fault([](WorldState& s) { s.entities[1].id = s.instances[1].id; }),
             "entity 1: two of its instances have the same id, or one has the id 65535");
-  EXPECT_EQ(fault([](WorldState& s) { s.instances[1].part = 3; }),
-            "entity 1: a further instance is in a map part that is not initialised, or a value of it is out of range");
   EXPECT_EQ(fault([](WorldState& s) { s.entities[2].angle = Angle::degrees(20); }),
             "entity 2: its shape is degenerate at the rotation of an instance");
   EXPECT_EQ(fault([](WorldState& s) { s.generations = {1}; }), "entity 0: it is destroyed, but a value of it is not 0");
@@ -197,6 +196,35 @@ TEST_F(WorldAcceptsTest, NamesTheFault) {
   EXPECT_EQ(fault([](WorldState& s) { s.generations = {0}; }), "the last generation of the state is 0: leave it out");
   EXPECT_EQ(fault([](WorldState& s) { s.instances[0].parent = 7; }),
             "entity 0: no warp leads to a further instance from its parent");
+}
+
+// Only "a value is out of range" was said.
+TEST_F(WorldAcceptsTest, NamesTheFieldThatIsOutOfRange) {
+  const auto field = [this](const std::function<void(EntityState&, InstanceState&)>& change) {
+    WorldState state = good;
+    change(state.entities[1], state.instances[1]);
+    const std::string text = world.fault(state).value_or("none");
+    return text.substr(0, text.find(" is"));
+  };
+  const std::string second = "entity 1: ";
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.position.y = kMax + 1; }), second + "position");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.velocity.x = -kVelocityLimit; }), second + "velocity");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.remainder.x = kRemainderLimit + 1; }), second + "remainder");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.turn = Angle::kTurn; }), second + "turn");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.nextId = InstanceState::kNoParent; }), second + "nextId");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.inserted = 2; }), second + "inserted");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.fresh = 2; }), second + "fresh");
+  const std::string further = second + "further instance 0: ";
+  EXPECT_EQ(field([](EntityState&, InstanceState& i) { i.part = 3; }), further + "part");
+  EXPECT_EQ(field([](EntityState&, InstanceState& i) { i.homeAnchor.x = kMax + 1; }), further + "homeAnchor");
+  EXPECT_EQ(field([](EntityState&, InstanceState& i) { i.anchor.x = kMax + 1; }), further + "anchor");
+  EXPECT_EQ(field([](EntityState& e, InstanceState&) { e.position.x = kMax; }), "none");
+  EXPECT_EQ(field([](EntityState& e, InstanceState& i) {
+              e.position.x = kMax;
+              i.anchor.y = kMax;
+            }),
+            further + "homeAnchor and anchor lead to a position that");
+  EXPECT_EQ(field([](EntityState&, InstanceState& i) { i.fresh = 2; }), further + "fresh");
 }
 
 TEST_F(WorldAcceptsTest, AcceptedStatesCanBeStepped) {

@@ -101,8 +101,10 @@ TEST(WorldValueTest, RestoreRefusesWhatIsNotAccepted) {
   };
   EXPECT_EQ(refusal([](WorldState& state) { state.entities[2].shape = 99; }),
             "the state does not fit this world: entity 2: the world has no such shape");
-  EXPECT_EQ(refusal([](WorldState& state) { state.entities[1].velocity.x = kVelocityLimit; }),
-            "the state does not fit this world: entity 1: a value is out of range");
+  EXPECT_EQ(
+      refusal([](WorldState& state) { state.entities[1].velocity.x = kVelocityLimit; }),
+      "the state does not fit this world: entity 1: velocity is out of range: its coordinates must be below 2^28 in "
+      "magnitude");
   EXPECT_EQ(refusal([](WorldState& state) { state.entities[0].part = 7; }),
             "the state does not fit this world: entity 0: its map part is not initialised");
   EXPECT_EQ(refusal([](WorldState& state) { state.instances.push_back({}); }),

@@ -34,7 +34,8 @@ class Convex {
   };
 
   /// Checks that `vertices` form a strictly convex, counter-clockwise polygon with coordinates below 2^29. Returns the
-  /// first fault as an English sentence, or nothing when there is none.
+  /// first fault as an English sentence, which counts vertices from 1, or nothing when there is none. Do not repeat the
+  /// first vertex at the end.
   static std::optional<std::string> fault(std::span<const Point> vertices);
 
   /// Throws std::invalid_argument with the text of fault() when `vertices` are not valid.

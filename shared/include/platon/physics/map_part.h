@@ -30,9 +30,10 @@ class MapPart {
   std::uint32_t line(Point p0, Point p1, std::uint32_t tag = 0);
 
   /// Adds a warp from segment p0 p1 to part `targetMap`, in which the same two points are t0 and t1. This part is on
-  /// the left of p0 -> p1. Entities can pass only when the target has the reverse warp. Throws std::invalid_argument
-  /// unless both segments have the same length and differ by a whole number of centidegrees, up to 2 subunits at the
-  /// ends, or when the part is initialised.
+  /// the left of p0 -> p1. Entities can pass only when the target has the reverse warp, from t1 t0 to p1 p0 of this
+  /// part; without it, the warp blocks like a wall, which World::mapFault tells. Throws std::invalid_argument unless
+  /// both segments have the same length and differ by a whole number of centidegrees, up to 2 subunits at the ends, or
+  /// when the part is initialised.
   void warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1);
 
   /// As above, with exact midpoints: instances are placed relative to them, so the rounding of the ends does not

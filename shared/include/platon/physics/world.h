@@ -92,7 +92,8 @@ class World {
   /// changes nothing then. Takes about 1 µs an entity, because the shapes are rotated to check them.
   void restore(const WorldState& state);
   /// Replaces the state without checking it, at the cost of a copy. For rollback: `state` must come from save() of this
-  /// world or of one with equal map parts and shapes, or accepts() must have accepted it. Asserts that it is accepted.
+  /// world or of one with equal map parts and shapes, or accepts() must have accepted it. The behaviour is undefined
+  /// for other states. Asserts that it is accepted, in builds with assertions.
   void restoreUnchecked(const WorldState& state);
   /// Hash of the state, identical on every platform.
   std::uint64_t hash() const { return state_.hash(); }
@@ -135,9 +136,14 @@ class World {
   /// Registers a shape and returns its index. Equal shapes get the same index. A state can be restored only when its
   /// shapes are registered in the same order.
   std::uint32_t addShape(const Convex& shape);
-  /// Validates a state of unknown origin: all indices exist, all values are in range, instance ids are unique, and
-  /// every further instance either has no parent or is reached from its parent by the named warp. Returns the first
-  /// fault as an English sentence, or nothing when there is none. Does not test whether shapes overlap segments.
+  /// The first warp that no entity can pass, because its target is not initialised or has no reverse warp, as an
+  /// English sentence; nothing when there is none. Such a warp blocks like a wall, and no function refuses it: ask once
+  /// after the last MapPart::initialize. Takes time for all warps of the map.
+  std::optional<std::string> mapFault() const;
+  /// Validates a state of unknown origin: all indices exist, all values are in range, instance ids are unique, no shape
+  /// is degenerate at its rotation, and every further instance either has no parent or is reached from its parent by
+  /// the named warp. Returns the first fault as an English sentence that names the field, or nothing when there is
+  /// none. Tests neither whether shapes overlap segments nor whether the state comes from a world with the same map.
   std::optional<std::string> fault(const WorldState& state) const;
   /// Whether `state` has no fault.
   bool accepts(const WorldState& state) const { return !fault(state); }
