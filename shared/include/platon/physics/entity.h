@@ -50,12 +50,13 @@ class Entity {
   Point position() const;
   /// Velocity in the frame of the home part, rounded to whole subunits per tick.
   Point velocity() const;
-  /// Rotation of the shape in the frame of the home part.
+  /// Rotation of the shape in the frame of the home part: shape().turned(rotation()) is the shape there, never empty
+  /// while the entity is in a map part.
   Angle rotation() const;
   /// Id of the home part: the map part that contains the centre of the shape.
   std::uint32_t part() const;
   /// Rotation from the frame in which the velocity is stored to the frame of the home part: the `frame` passed to
-  /// setVelocity, plus the turns of all edges crossed since.
+  /// setVelocity, plus the turns of all edges crossed since. Not the rotation of the shape.
   Angle heading() const;
   /// Whether the entity is in a map part.
   bool inserted() const;
@@ -81,7 +82,8 @@ class Entity {
   /// stored velocity.
   void addVelocity(Point change, Angle frame);
   /// Rotates the shape by `centidegrees` at the start of the next step, or as far as no segment blocks it. Positive is
-  /// counter-clockwise; less than a whole turn in magnitude. Replaces an earlier request of the same tick.
+  /// counter-clockwise; less than a whole turn in magnitude. Lasts for one step. Replaces an earlier request of the
+  /// same tick.
   void rotate(std::int32_t centidegrees);
 
   /// The shape as it was passed to the constructor, unrotated.

@@ -14,7 +14,7 @@ namespace platon {
 
 /// An instance of an entity that a query has found in a map part.
 struct FoundInstance {
-  EntityId entity;
+  EntityId entity;             ///< Entity(world, entity) is its handle
   std::uint16_t instance = 0;  ///< id of the instance
   bool home = false;           ///< whether it is the home instance
   Point position;              ///< in the frame of the part, subunits

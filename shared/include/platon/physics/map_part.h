@@ -41,25 +41,26 @@ class MapPart {
   /// the rounded ends.
   void warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle, PrecisePoint ontoMiddle);
 
-  /// Builds the grid and adds the part to the world. Throws std::invalid_argument, and does not change the world,
-  /// when a part with the same id exists or a warp is on the right of another one. Warps are edges of a convex area on
-  /// their left, which need not be closed: the home part changes when the centre of a shape is on the right of a warp,
-  /// wherever along its line. Rounded ends may be up to 2 subunits on the right.
+  /// Builds the grid and adds the part to the world; call it once. Throws std::invalid_argument, and does not change
+  /// the world, when a part with the same id exists or a warp is on the right of another one. Warps are edges of a
+  /// convex area on their left, which need not be closed: the home part changes when the centre of a shape is on the
+  /// right of a warp, wherever along its line. Rounded ends may be up to 2 subunits on the right.
   void initialize();
 
   /// Places an instance of the entity in this part, at position `origin` and rotated by `angle`. The first instance of
   /// an entity is its home instance; instances in other parts move with it. Throws std::invalid_argument when the part
   /// is not initialised, the entity does not exist, belongs to another world or is already in the part, the coordinates
   /// are out of range, or a segment overlaps the shape that blocks by the rules of World::setRules. Changes nothing
-  /// then. An exception of a callback passes on; the insertion is complete.
+  /// then. An exception of a callback passes on; the insertion is complete. To move an entity to another place,
+  /// erase it first; its velocity stays.
   void insert(Entity& entity, const Point& origin, Angle angle);
 
   /// Whether `insert` would place the entity there, if it was erased from this part first. False when a blocking
   /// segment overlaps the shape, when the shape is degenerate at this angle, when the coordinates are out of range or
-  /// when the entity has too many instances. Asks the rules, and changes and tells nothing. Uses caches of the world:
-  /// it is for the thread that uses the world, unlike the queries. Throws std::invalid_argument when the part is not
-  /// initialised, or the entity does not exist or belongs to another world; std::logic_error when Rules::pierce or a
-  /// StepObserver calls it.
+  /// when the entity has too many instances. Asks the rules, changes nothing and calls no callback. Uses caches of the
+  /// world: it is for the thread that uses the world, unlike the queries. Throws std::invalid_argument when the part is
+  /// not initialised, or the entity does not exist or belongs to another world; std::logic_error when Rules::pierce or
+  /// a StepObserver calls it.
   [[nodiscard]] bool canPlace(const Entity& entity, Point origin, Angle angle) const;
   /// The same for a new entity of this shape: see World::canPlace.
   [[nodiscard]] bool canPlace(const Convex& shape, Point origin, Angle angle) const;

@@ -50,8 +50,11 @@ struct Contact {
 /// may have been erased or changed since. Of a destroyed entity, only beginContact and endContact are still delivered,
 /// so that they alternate: Entity::exists is false then, and only the id of the handle can be used. A callback may not
 /// solve the world, restore it or assign to it: these throw std::logic_error. When a callback throws, the events that
-/// wait are dropped, and the exception passes on; the step itself is complete. They are also dropped when a callback
-/// moves the world elsewhere. It must not destroy the world.
+/// wait are dropped, and the exception passes on; the step itself is complete, and the world can go on. They are also
+/// dropped when a callback moves the world elsewhere. It must not destroy the world.
+///
+/// A program that rolls back and steps again must call those callbacks again that change the world or the state of the
+/// program, and restore that state with the world. Only those without such an effect, as sounds, may be left out.
 class Rules {
  public:
   virtual ~Rules() = default;
@@ -67,19 +70,20 @@ class Rules {
   /// ceases to be pierceable lets those out that are in it. Default: warps can be passed, other segments block.
   virtual bool pierce(const Entity& entity, const SegmentRef& segment) const;
 
-  /// What the rules ask for. Less is faster.
+  /// For which segments `pierce` is called, and which callbacks are. Less is faster.
   enum class Scope : std::uint8_t {
-    kEverything,  ///< `pierce` is asked of all segments; what is pierced is reported
-    kSegments,    ///< as above, but not of warps: they can always be passed, and are not reported
-    kContacts     ///< warps can be passed, other segments block, even an entity that overlaps them; of the callbacks,
-                  ///< only contact and touchContact are called
+    kEverything,  ///< `pierce` is called for all segments, and all callbacks
+    kSegments,    ///< as above, but not for warps: they can always be passed, and no callback tells
+    kContacts     ///< `pierce` is never called: warps can be passed, other segments block, even an entity that overlaps
+                  ///< them, which then cannot leave. Of the callbacks, only contact and touchContact are called
   };
   /// Asked at the start of each step. Default: everything.
   virtual Scope scope() const { return Scope::kEverything; }
 
-  /// Whether `pierce` can ever return true for this segment of a part. Where it cannot, the step does not ask it and is
-  /// faster, most of all for an entity that rests on such segments alone. Must depend only on the arguments. Asked with
-  /// Scope::kSegments only, and of no warps. Default: it can.
+  /// Whether `pierce` can ever return true for segment `index` of map part `part` (SegmentRef::part and index). Where
+  /// this returns false, the step does not call `pierce` and is faster, most of all for an entity that rests on such
+  /// segments alone. Must depend only on the arguments. Called with Scope::kSegments only, and not for warps. Default:
+  /// true.
   virtual bool mayPierce(std::uint32_t part, std::uint32_t index) const;
 
   /// An instance of the entity begins to overlap a pierced segment.

@@ -68,7 +68,7 @@ class World {
 
   /// Sets the rules for all that follows: `solve` and MapPart::insert ask them which segments block, and they receive
   /// the events. They must exist until other rules are set or the world is last used. Copies of the world have the same
-  /// rules, and tell them what happens to the copy: see solve(Rules&).
+  /// rules and call the same callbacks: see solve(Rules&).
   void setRules(Rules& rules);
   /// Sets the default rules: segments block, warps can be passed, and events have no effect.
   void resetRules();
