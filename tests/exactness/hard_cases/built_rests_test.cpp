@@ -50,6 +50,17 @@ Scene between(Dice& dice, double angle, bool deep) {
   return {{first, second}, shape, polar(away, axis), velocity, static_cast<int>(std::min(ticks, 6000.0))};
 }
 
+// A valley with one to three more segments, which begin near the joint.
+Scene crossed(std::uint64_t number) {
+  Dice dice(6, number);
+  Scene scene = between(dice, dice.between(160, 179.9) * kPi / 180, false);
+  for (int more = 1 + dice.below(3); more > 0; --more) {
+    const Point from = dice.vector(1 + dice.below(60));
+    scene.segments.push_back({from, from + polar(dice.between(1, 20000), dice.between(0, 2 * kPi))});
+  }
+  return scene;
+}
+
 // Two parallel segments, exactly as far apart as the shape is wide; a third may close the corridor.
 Scene corridor(Dice& dice) {
   const Convex shape = dice.polygon(dice.between(40, 4000));
@@ -92,6 +103,13 @@ TEST(BuiltRestsTest, InAValleyWithAGapABodyRests) {
     Dice dice(1, number);
     ASSERT_FALSE(isRestless(between(dice, dice.between(160, 179.9) * kPi / 180, false))) << "scene " << number;
   }
+}
+
+// Where the next segment is near, a nudge leads no farther than to it. Of 20 000 scenes, some in which nudges were
+// repeated for ever when only their end had to be ahead.
+TEST(BuiltRestsTest, InAValleyAmongOtherSegmentsABodyRests) {
+  constexpr std::uint64_t kScenes[] = {371, 893, 907, 1118, 1130, 1894, 1948, 2707, 3094, 3734};
+  for (const std::uint64_t number : kScenes) EXPECT_FALSE(isRestless(crossed(number))) << "scene " << number;
 }
 
 TEST(BuiltRestsTest, InAWedgeABodyRests) {

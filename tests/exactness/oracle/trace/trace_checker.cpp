@@ -12,7 +12,8 @@ namespace {
 
 /// I2: largest number of entries that a trace lists for a step: one for its start, 64 for moves; for each of 64 legs
 /// one for insertions, one for removals and two for each of four rehomes; and one for removals at its end.
-constexpr std::size_t kMaxEntries = 1 + 64 + 64 * (1 + 1 + 2 * 4) + 1;
+constexpr std::size_t kMaxEntries = 706;
+static_assert(kMaxEntries == 1 + 64 + 64 * (1 + 1 + 2 * 4) + 1);
 
 bool isSameState(TraceLeg a, TraceLeg b) {
   const auto byId = [](const TraceInstance& x, const TraceInstance& y) { return x.id < y.id; };
