@@ -15,6 +15,7 @@
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
 #include "tests/exactness/hard_cases/dice.h"
+#include "tests/shared/physics/maps.h"
 #include "tests/support/run/repetitions.h"
 
 namespace platon::hard_cases::built_rests_test {
@@ -77,12 +78,10 @@ Scene corridor(Dice& dice) {
 // Whether the body returns to a state of before without resting there.
 bool isRestless(const Scene& scene) {
   World world;
-  MapPart part(world, 0);
-  for (const Segment& segment : scene.segments) part.line(segment.a, segment.b);
-  part.initialize();
+  addPart(world, 0, scene.segments);
   Entity body(world, scene.shape);
   try {
-    part.insert(body, scene.start, Angle());
+    MapPart(world, 0).insert(body, scene.start, Angle());
   } catch (const std::invalid_argument&) {
     return false;  // rounded, the corridor is too narrow
   }

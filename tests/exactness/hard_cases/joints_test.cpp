@@ -20,6 +20,7 @@
 #include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
+#include "tests/shared/physics/maps.h"
 #include "tests/sim/seeded_random.h"
 #include "tests/support/run/repetitions.h"
 
@@ -158,11 +159,9 @@ Chain chainFrom(std::uint64_t seed, std::int32_t off) {
 
 World worldOf(const Chain& chain) {
   World world;
-  MapPart part(world, 0);
-  for (const Segment& line : chain.lines) part.line(line.a, line.b);
-  part.initialize();
+  addPart(world, 0, chain.lines);
   Entity entity(world, chain.shape);
-  part.insert(entity, chain.start, Angle());
+  MapPart(world, 0).insert(entity, chain.start, Angle());
   return world;
 }
 
