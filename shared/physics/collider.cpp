@@ -22,9 +22,14 @@ bool Collider::contains(const std::vector<SegmentRef>& refs, const SegmentRef& r
 // The angle between two instances of one shape is that between their frames.
 SegmentRef Collider::refOf(const Placement& placement, std::uint32_t segment) const {
   const MapGeometry& part = *placement.part;
-  return {
-      part.id,           segment, part.isWarp(segment), part.segments[segment], placement.id, angle_ - placement.angle,
-      placement.position};
+  return {.part = part.id,
+          .index = segment,
+          .warp = part.isWarp(segment),
+          .ends = part.segments[segment],
+          .instance = placement.id,
+          .toHome = angle_ - placement.angle,
+          .position = placement.position,
+          .tag = part.tagOf(segment)};
 }
 
 void Collider::begin(Rules& rules, Entity entity, const Instances& instances, std::vector<Region>& regions,

@@ -53,7 +53,6 @@ std::shared_ptr<const Geometry> withPart(const Geometry& geometry, MapGeometry p
   }
   auto extended = std::make_shared<Geometry>(geometry);
   const auto place = extended->parts.begin() + (lowerBound(geometry, part.id) - geometry.parts.begin());
-  extended->hasTags = geometry.hasTags || !part.tags.empty();
   extended->parts.insert(place, std::make_shared<const MapGeometry>(std::move(part)));
   return extended;
 }

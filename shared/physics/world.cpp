@@ -10,7 +10,6 @@
 #include "shared/exact/hash.h"
 #include "shared/physics/step/free_flight.h"
 #include "shared/physics/step/step_scratch.h"
-#include "shared/physics/tagged_rules.h"
 #include "shared/physics/world_link.h"
 
 namespace platon {
@@ -102,9 +101,7 @@ void World::moveAll(StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   scratch.entities = state_.entities;
   scratch.further.clear();
-  TaggedRules tagged(rules(), *geometry_);
-  Rules& asked = tagged.outermost();
-  const Rules::Scope scope = asked.scope();
+  const Rules::Scope scope = rules().scope();
   const bool mayRepeat = observer == nullptr && scope != Rules::Scope::kEverything;
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
@@ -112,15 +109,15 @@ void World::moveAll(StepObserver* observer) {
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further, asked, scope)) {
+    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further, rules(), scope)) {
       rest.repeat(scratch.events, idOf(index), scratch.further);
     } else {
-      move(index, further, asked, observer);
+      move(index, further, observer);
     }
   }
 }
 
-void World::move(std::uint32_t index, std::span<const InstanceState> further, Rules& rules, StepObserver* observer) {
+void World::move(std::uint32_t index, std::span<const InstanceState> further, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityState& entity = scratch.entities[index];
   EntityCache& cache = load(index, entity, further);
@@ -128,7 +125,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
   if (mayFly && flyFreely(entity, cache.instances, cache.regions, scratch.work)) return cache.rest.forget();
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
-  EntityStep step = beginStep(index, entity, rules, observer);
+  EntityStep step = beginStep(index, entity, observer);
   step.contacts().begin();
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
@@ -148,11 +145,11 @@ EntityCache& World::load(std::uint32_t index, const EntityState& state, std::spa
 }
 
 // The step of an entity whose instances have been loaded from `state`.
-EntityStep World::beginStep(std::uint32_t index, EntityState& state, Rules& rules, StepObserver* observer) {
+EntityStep World::beginStep(std::uint32_t index, EntityState& state, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityCache& cache = scratch.caches[index];
   return EntityStep(Entity(*this, index), state, cache.instances,
-                    {cache.regions, scratch.work, scratch.buffers, rules, scratch.events, observer, cache.touched});
+                    {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer, cache.touched});
 }
 
 // A callback that causes events has them delivered after those that wait.
@@ -163,8 +160,7 @@ void World::deliverEvents() {
   while (const StepEvents::Event* event = scratch->events.next()) {
     if (!event->isPaired() && !exists(event->entity)) continue;
     Entity entity(*this, event->entity);
-    TaggedRules tagged(rules(), *geometry_);
-    event->deliver(tagged.outermost(), entity);
+    event->deliver(rules(), entity);
     if (scratch_.get() != scratch) return;  // the callback has moved the world
   }
 }

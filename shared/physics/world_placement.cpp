@@ -7,7 +7,6 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
 #include "shared/physics/step/step_scratch.h"
-#include "shared/physics/tagged_rules.h"
 
 namespace platon {
 namespace {
@@ -105,8 +104,7 @@ bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::ui
   StepScratch& scratch = *scratch_;
   const StepGuard guard(scratch);
   load(entity, placed.state, placed.further);
-  TaggedRules tagged(rules(), *geometry_);
-  EntityStep step = beginStep(entity, placed.state, tagged.outermost(), nullptr);
+  EntityStep step = beginStep(entity, placed.state, nullptr);
   step.contacts().pierceOverlapped(inserted);
   if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
   requireNotMoved(scratch);
@@ -151,8 +149,7 @@ std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
   std::vector<SegmentRef> contacts;
   if (placed.state.inserted == 0) return contacts;
   load(entity, placed.state, placed.further);
-  TaggedRules tagged(rules(), *geometry_);
-  EntityStep step = beginStep(entity, placed.state, tagged.outermost(), nullptr);
+  EntityStep step = beginStep(entity, placed.state, nullptr);
   step.contacts().pierceOverlapped();
   step.contacts().append(contacts);
   return contacts;

@@ -105,13 +105,10 @@ TEST(GeometryTest, WithPartDoesNotChangeTheOriginal) {
   EXPECT_EQ(after->find(1), before->find(1)) << "parts are shared";
 }
 
-TEST(GeometryTest, KnowsWhetherASegmentHasATag) {
+TEST(GeometryTest, TagsArePartOfAPart) {
   MapGeometry tagged = part(2);
   tagged.tags = {0, 3};
   const auto plain = withPart(Geometry(), part(1));
-  EXPECT_FALSE(plain->hasTags);
-  EXPECT_TRUE(withPart(*plain, tagged)->hasTags);
-  EXPECT_TRUE(withPart(*withPart(Geometry(), tagged), part(1))->hasTags) << "an earlier part has one";
   EXPECT_FALSE(*withPart(*plain, tagged) == *withPart(*plain, part(2)));
 }
 

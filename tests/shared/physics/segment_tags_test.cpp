@@ -1,5 +1,3 @@
-#include "shared/physics/tagged_rules.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +10,7 @@
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon::tagged_rules_test {
+namespace platon::segment_tags_test {
 namespace {
 
 using testing::ElementsAre;
@@ -43,9 +41,9 @@ class Tags : public Rules {
 };
 
 // A floor without a tag at y = -10, doors with the tags 7 and 8 at x = 100 and 200, and a square of 20 by 20.
-class TaggedRulesTest : public testing::Test {
+class SegmentTagsTest : public testing::Test {
  protected:
-  TaggedRulesTest() : entity(make()) {}
+  SegmentTagsTest() : entity(make()) {}
 
   Entity make() {
     MapPart part(world, 3);
@@ -68,7 +66,7 @@ class TaggedRulesTest : public testing::Test {
   Entity entity;
 };
 
-TEST_F(TaggedRulesTest, EveryCallHasTheTag) {
+TEST_F(SegmentTagsTest, EveryCallHasTheTag) {
   Tags rules(7);
   EXPECT_THAT(step(rules, {100, 0}), ElementsAre("begin 1 tag 7", "over 1 tag 7"));
   EXPECT_THAT(step(rules, {100, 0}), ElementsAre("end 1 tag 7", "contact 2 tag 8"));
@@ -79,7 +77,7 @@ TEST_F(TaggedRulesTest, EveryCallHasTheTag) {
   EXPECT_THAT(rules.asked, ElementsAre(0, 7, 8));
 }
 
-TEST_F(TaggedRulesTest, InsertionAndRemovalHaveTheTag) {
+TEST_F(SegmentTagsTest, InsertionAndRemovalHaveTheTag) {
   Tags rules(7);
   world.setRules(rules);
   MapPart part(world, 3);
@@ -92,7 +90,7 @@ TEST_F(TaggedRulesTest, InsertionAndRemovalHaveTheTag) {
   EXPECT_THAT(rules.calls, ElementsAre("end 1 tag 7"));
 }
 
-TEST_F(TaggedRulesTest, AnEntityAtRestGetsTheTagAgain) {
+TEST_F(SegmentTagsTest, AnEntityAtRestGetsTheTagAgain) {
   Tags rules(7);
   entity.setVelocity({0, 0});
   MapPart part(world, 3);
@@ -101,7 +99,7 @@ TEST_F(TaggedRulesTest, AnEntityAtRestGetsTheTagAgain) {
   for (int tick = 0; tick < 3; ++tick) EXPECT_THAT(step(rules, {5, 0}), ElementsAre("contact 2 tag 8")) << tick;
 }
 
-TEST_F(TaggedRulesTest, ACallbackMayAddAPartWithTags) {
+TEST_F(SegmentTagsTest, ACallbackMayAddAPartWithTags) {
   class Adding : public Tags {
    public:
     Adding() : Tags(7) {}
@@ -117,26 +115,8 @@ TEST_F(TaggedRulesTest, ACallbackMayAddAPartWithTags) {
   EXPECT_EQ(world.geometry().find(9)->tagOf(0), 5u);
 }
 
-TEST(TaggedRulesScopeTest, AsksForWhatTheRulesAskFor) {
-  class Contacts : public Tags {
-   public:
-    Contacts() : Tags(7) {}
-    Scope scope() const override { return Scope::kSegments; }
-    bool mayPierce(std::uint32_t part, std::uint32_t index) const override { return part == 1 && index == 2; }
-  };
-  Contacts rules;
-  Geometry geometry;
-  TaggedRules tagged(rules, geometry);
-  EXPECT_EQ(tagged.scope(), Rules::Scope::kSegments);
-  EXPECT_TRUE(tagged.mayPierce(1, 2));
-  EXPECT_FALSE(tagged.mayPierce(1, 1));
-  EXPECT_EQ(&tagged.outermost(), &rules) << "nothing has a tag";
-  geometry.hasTags = true;
-  EXPECT_EQ(&tagged.outermost(), &tagged);
-}
-
 // Tags are of the geometry: they are in no state, and a world with them moves as one without.
-TEST(TaggedRulesStateTest, TagsDoNotChangeTheState) {
+TEST(SegmentTagsStateTest, TagsDoNotChangeTheState) {
   const auto worldWith = [](std::uint32_t tag) {
     World world;
     MapPart part(world, 1);
@@ -156,4 +136,4 @@ TEST(TaggedRulesStateTest, TagsDoNotChangeTheState) {
 }
 
 }  // namespace
-}  // namespace platon::tagged_rules_test
+}  // namespace platon::segment_tags_test

@@ -65,7 +65,6 @@ struct MapGeometry {
 /// All map parts of a world, sorted by id.
 struct Geometry {
   std::vector<std::shared_ptr<const MapGeometry>> parts;
-  bool hasTags = false;  ///< whether a segment of any part has a tag other than 0
 
   /// The part with this id, or null when there is none.
   const MapGeometry* find(std::uint32_t id) const;

@@ -192,9 +192,9 @@ class World {
   void requireNotMoved(const StepScratch& scratch) const;
   std::vector<SegmentRef> contactsOf(std::uint32_t entity, Placed placed);
   void moveAll(StepObserver* observer);
-  void move(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
+  void move(std::uint32_t entity, std::span<const InstanceState> further, StepObserver* observer);
   EntityCache& load(std::uint32_t entity, const EntityState& state, std::span<const InstanceState> further);
-  EntityStep beginStep(std::uint32_t entity, EntityState& state, Rules& rules, StepObserver* observer);
+  EntityStep beginStep(std::uint32_t entity, EntityState& state, StepObserver* observer);
   void deliverEvents();
 
   std::shared_ptr<const Geometry> geometry_;
