@@ -5,6 +5,7 @@
 
 #include "shared/physics/ideal_geometry.h"
 #include "shared/physics/tolerances.h"
+#include "shared/physics/turned_normal.h"
 
 namespace platon {
 namespace {
@@ -14,6 +15,17 @@ namespace {
 constexpr std::int64_t kMaxRemainder = (Tolerances::kNear - 1) * PrecisePoint::kOne;
 
 }  // namespace
+
+Point normalOf(const Instances& instances, const LegHit& hit) {
+  if (hit.hit.side != Hit::Side::kInside) return hit.hit.normal;
+  const Segment& segment = segmentOf(instances, hit);
+  return perpendicular(segment.b - segment.a);
+}
+
+Point homeNormalOf(const Instances& instances, const LegHit& hit) {
+  const Point normal = normalOf(instances, hit);
+  return hit.placement == 0 ? normal : turnedNormal(normal, placementOf(instances, hit).toHome);
+}
 
 bool Collider::contains(const std::vector<SegmentRef>& refs, const SegmentRef& ref) {
   return std::any_of(refs.begin(), refs.end(), [&](const SegmentRef& other) { return isSame(other, ref); });

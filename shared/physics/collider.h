@@ -17,8 +17,32 @@ struct LegHit {
   std::size_t placement = 0;  ///< index of the placement that hits the segment
   std::uint32_t segment = 0;  ///< index into the segments of the placement's part
   Hit hit;                    ///< times are fractions of the leg
-  ObstacleEdge edge{};        ///< the edge of the obstacle that the ideal path enters; its normal is hit.normal
+  ObstacleEdge edge{};        ///< the edge of the obstacle that the ideal path enters; empty in hits of a lattice path
 };
+
+/// A hit belongs to the frame of the part in which it happens, the ideal path to the frame of the home part. These
+/// functions lead from one to the other.
+
+/// The instance that hits.
+inline const Placement& placementOf(const Instances& instances, const LegHit& hit) {
+  return instances.all()[hit.placement];
+}
+/// The segment that is hit, in the frame of its part.
+inline const Segment& segmentOf(const Instances& instances, const LegHit& hit) {
+  return placementOf(instances, hit).part->segments[hit.segment];
+}
+/// A displacement in the frame of the part whose segment was hit.
+inline PrecisePoint fromHome(const Instances& instances, const LegHit& hit, PrecisePoint displacement) {
+  return hit.placement == 0 ? displacement : rotated(displacement, placementOf(instances, hit).fromHome);
+}
+/// And back.
+inline PrecisePoint toHome(const Instances& instances, const LegHit& hit, PrecisePoint displacement) {
+  return hit.placement == 0 ? displacement : rotated(displacement, placementOf(instances, hit).toHome);
+}
+/// The normal of a hit. For a warp segment that the shape with margin overlaps already: the direction into its part.
+Point normalOf(const Instances& instances, const LegHit& hit);
+/// The same in the frame of the home part.
+Point homeNormalOf(const Instances& instances, const LegHit& hit);
 
 /// Exact collision queries for all instances of one entity. The rules decide which segments block.
 class Collider {
@@ -109,7 +133,7 @@ class Collider {
   /// All segments recorded since `begin`, each once per instance: those that were pierced or overlapped.
   const std::vector<SegmentRef>& pierced() const { return pierced_; }
   /// The segments that the entity overlaps, in the order in which that began. They are pierced until they are removed
-  /// from this list. Kept by StepContacts; always empty with Scope::kContacts.
+  /// from this list. Kept by step_contacts.cpp; always empty with Scope::kContacts.
   std::vector<SegmentRef>& overlapped() { return overlapped_; }
 
   /// A segment of a map part.

@@ -280,7 +280,7 @@ SlideRoom roomOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remai
   return {along, int128{edge.high} * PrecisePoint::kOne - here, false};
 }
 
-EdgeSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
+EdgeSlide slideAlong(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
   const SlideRoom room = roomOn(edge, from, remaining);
   const int128 used = room.isEnough() ? room.wanted : std::max<int128>(room.left, 0);
   EdgeSlide slide;

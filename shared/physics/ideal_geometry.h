@@ -84,7 +84,7 @@ struct EdgeSlide {
   bool back = false;          ///< it goes against perpendicular(normal)
   bool cut = false;           ///< it ends with the edge
 };
-EdgeSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
+EdgeSlide slideAlong(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
 
 /// `point`, moved onto the line of the edge if it is farther from it than Tolerances::kRounding.
 PrecisePoint putOnto(const Obstacle::HalfPlane& half, PrecisePoint point);

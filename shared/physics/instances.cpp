@@ -215,9 +215,7 @@ const Convex* Instances::rotatedShape(std::size_t index, std::int32_t centidegre
   return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(centidegrees));
 }
 
-std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
-  const std::size_t next = isAlone() ? Placement::kNone : nextHome();
-  if (next == Placement::kNone) return std::nullopt;
+std::optional<Angle> Instances::rehomeTo(std::size_t next, PrecisePoint& remainder) {
   const Angle before = home().angle;
   const Warp& warp = home().part->warps[placements_[next].warp];
   const PrecisePoint there = warp.map(precise(home().position) + remainder);
@@ -279,11 +277,9 @@ bool Instances::canRehomeAt(Point home, Collider& collider) {
   const bool hasRehomed = hasRehomed_;
   moveHomeTo(home);
   PrecisePoint remainder;
-  while (needsRehome()) {
-    correctDrift(collider);
-    if (!rehome(remainder)) break;
+  while (rehome(remainder, collider, [] {})) {
   }
-  const bool can = !needsRehome();
+  const bool can = nextHome() == Placement::kNone;
   std::copy_n(before.begin(), placements_.size(), placements_.begin());
   crossings_ = crossings;
   hasRehomed_ = hasRehomed;

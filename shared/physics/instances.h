@@ -36,7 +36,7 @@ struct Placement {
   std::uint16_t warp = 0;         ///< index, in the parent's part, of the warp to this part
   std::uint16_t reverseWarp = 0;  ///< index, in this part, of the warp to the parent's part
   std::uint16_t id = 0;
-  bool fresh = false;      ///< see InstanceState; read at the start of a step only
+  bool fresh = false;      ///< see InstanceState; in a step, also of what it has inserted
   std::size_t region = 0;  ///< index among the entity's regions
 
   /// The position of this instance when the home instance is at `home`.
@@ -118,21 +118,26 @@ class Instances {
   /// The convex hull of the current shape of placement `index` and of rotatedShape. Null when it is degenerate.
   const Convex* rotationHull(std::size_t index, std::int32_t centidegrees);
 
-  /// Whether the centre of the shape has crossed into the part of another instance, which then has to become home.
-  bool needsRehome() const { return !isAlone() && nextHome() != Placement::kNone; }
   /// Whether the home instance can be at `home` with the centre of the shape in the home part, perhaps after some
   /// rehomes.
   bool mayBeAt(Point home, Collider& collider) {
     return isAlone() || containsCentreAt(home) || canRehomeAt(home, collider);
   }
-  /// Corrects drift: moves every further instance whose rounding error has grown to the free lattice point nearest to
-  /// its exact position. Returns whether any moved.
-  bool correctDrift(Collider& collider);
-  /// Makes the instance into whose part the centre has crossed the home instance. No instance moves. Returns the
-  /// rotation from the old home frame to the new one. Returns nothing, and changes nothing, when no rehome is needed or
-  /// when an instance would be farther than kMaxError from its exact position. Converts `remainder`, which belongs to
-  /// the home position, so that position plus remainder stay the same point.
-  std::optional<Angle> rehome(PrecisePoint& remainder);
+  /// Makes the instance into whose part the centre has crossed the home instance. Before it corrects drift: moves every
+  /// further instance whose rounding error has grown to the free lattice point nearest to its exact position, and calls
+  /// onDrift if any has moved. Returns the rotation from the old home frame to the new one. Returns nothing when no
+  /// rehome is needed or when an instance would be farther than kMaxError from its exact position. Converts
+  /// `remainder`, which belongs to the home position, so that position plus remainder stay the same point.
+  template <class OnDrift>
+  std::optional<Angle> rehome(PrecisePoint& remainder, Collider& collider, OnDrift&& onDrift) {
+    if (isAlone()) return std::nullopt;
+    std::size_t next = nextHome();
+    if (next != Placement::kNone && correctDrift(collider)) {
+      onDrift();
+      next = nextHome();
+    }
+    return next == Placement::kNone ? std::nullopt : rehomeTo(next, remainder);
+  }
   /// Gives the ids from `first` on again if all instances that have got one are removed: so what a body inserts and
   /// removes in each tick does not change its state. Requires that the others are not fresh.
   void reuseIds(std::uint16_t first);
@@ -156,6 +161,8 @@ class Instances {
   bool containsCentreAt(Point position) const { return isInside(*home().part, position + home().shape->centre()); }
   static bool isInside(const MapGeometry& part, Point centre);
   bool canRehomeAt(Point home, Collider& collider);
+  bool correctDrift(Collider& collider);
+  std::optional<Angle> rehomeTo(std::size_t next, PrecisePoint& remainder);
   void makeHome(std::size_t nextHome);
   bool dropOthers(std::int32_t margin, Collider& collider);
   void anchorAll();

@@ -4,11 +4,10 @@
 #include <cassert>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "platon/physics/entity.h"
 #include "shared/exact/hash.h"
-#include "shared/physics/step/free_flight.h"
+#include "shared/physics/step/entity_step.h"
 #include "shared/physics/step/step_scratch.h"
 #include "shared/physics/world_link.h"
 
@@ -125,13 +124,10 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   if (mayFly && flyFreely(entity, cache.instances, cache.regions, scratch.work)) return cache.rest.forget();
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
-  EntityStep step = beginStep(index, entity, observer);
-  step.contacts().begin();
-  step.rotateShape(std::exchange(entity.turn, 0));
-  step.translate(entity.velocity, entity.heading);
-  step.finish(scratch.further);
+  StepState step = beginStep(index, entity, observer);
+  takeStep(step, scratch.further);
   requireNotMoved(scratch);
-  const Collider& collider = scratch.buffers.collider;
+  const Collider& collider = scratch.collider;
   if (collider.scope() == Rules::Scope::kEverything) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
   cache.rest.record(state_.entities[index], further, entity, furtherAfter, scratch.events.since(firstEvent), collider);
@@ -145,11 +141,21 @@ EntityCache& World::load(std::uint32_t index, const EntityState& state, std::spa
 }
 
 // The step of an entity whose instances have been loaded from `state`.
-EntityStep World::beginStep(std::uint32_t index, EntityState& state, StepObserver* observer) {
+StepState World::beginStep(std::uint32_t index, EntityState& state, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   EntityCache& cache = scratch.caches[index];
-  return EntityStep(Entity(*this, index), state, cache.instances,
-                    {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer, cache.touched});
+  Collider& collider = scratch.collider;
+  collider.begin(rules(), Entity(*this, index), cache.instances, cache.regions, scratch.work);
+  StepState step{.id = idOf(index),
+                 .entity = state,
+                 .instances = cache.instances,
+                 .collider = collider,
+                 .buffers = scratch.buffers,
+                 .events = scratch.events,
+                 .observer = observer,
+                 .touched = cache.touched};
+  step.observe();
+  return step;
 }
 
 // A callback that causes events has them delivered after those that wait.

@@ -6,6 +6,8 @@
 #include "platon/exact/integer.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
+#include "shared/physics/step/entity_step.h"
+#include "shared/physics/step/stages.h"
 #include "shared/physics/step/step_scratch.h"
 
 namespace platon {
@@ -67,7 +69,7 @@ const char* World::insertInto(Placed& placed, std::uint32_t entity, std::uint32_
   if (!shapeOf(entity).turned(angle)) return "the shape is degenerate when rotated by this angle and rounded";
   if (placed.further.size() + 1 >= Instances::kMax) return "too many instances";
   const std::uint16_t inserted = place(placed, part, origin, angle);
-  return insertReachedInstances(entity, placed, inserted) ? nullptr : "the shape overlaps a blocking segment";
+  return insertReached(entity, placed, inserted) ? nullptr : "the shape overlaps a blocking segment";
 }
 
 // Adds an instance, as the home instance when there is none, and returns its id.
@@ -99,14 +101,15 @@ std::uint16_t World::place(Placed& placed, std::uint32_t part, Point origin, Ang
 
 // Adds the instances that the shape reaches at its position. Returns false when one overlaps a blocking segment. What
 // the instances other than `inserted` overlap does not block.
-bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted) {
+bool World::insertReached(std::uint32_t entity, Placed& placed, std::uint16_t inserted) {
   scratch_->provideFor(state_.entities.size());
   StepScratch& scratch = *scratch_;
   const StepGuard guard(scratch);
   load(entity, placed.state, placed.further);
-  EntityStep step = beginStep(entity, placed.state, nullptr);
-  step.contacts().pierceOverlapped(inserted);
-  if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
+  StepState step = beginStep(entity, placed.state, nullptr);
+  pierceOverlapped(step, inserted);
+  const auto isFree = [&] { return step.isFree(step.position(), step.position()); };
+  if (!isFree() || !insertReachedInstances(step) || !isFree()) return false;
   requireNotMoved(scratch);
   placed.further.clear();
   step.store(placed.further);
@@ -149,9 +152,9 @@ std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
   std::vector<SegmentRef> contacts;
   if (placed.state.inserted == 0) return contacts;
   load(entity, placed.state, placed.further);
-  EntityStep step = beginStep(entity, placed.state, nullptr);
-  step.contacts().pierceOverlapped();
-  step.contacts().append(contacts);
+  StepState step = beginStep(entity, placed.state, nullptr);
+  pierceOverlapped(step);
+  appendContacts(step, contacts);
   return contacts;
 }
 

@@ -214,7 +214,7 @@ def grace(sources):
 
 
 PLAYER = "shared/include/platon/game/player_motion.h"
-STEP = "shared/physics/step/entity_step.h"
+STEP = "shared/physics/step/step_state.h"
 LIMITS = "protocol/limits.h"
 SCHEDULE = "server/fleet/agones_reporter.h"
 LINK = "server/program/agones_link.cpp"
@@ -226,7 +226,7 @@ RETRY = joined(constant(SCHEDULE, "kFirstPause", 0.001), constant(SCHEDULE, "kMa
 BUFFER = "client/netcode/interpolation_buffer.h"
 
 FIGURES = [
-    Figures("docs/exactness.md", "at most {} moves (`EntityStep::kMaxLegs`)", constant(STEP, "kMaxLegs")),
+    Figures("docs/exactness.md", "at most {} moves (`StepLimits::kMaxLegs`)", constant(STEP, "kMaxLegs")),
     Figures("docs/exactness.md", "allow {} moves", constant("tests/exactness/oracle/trace/move_count.h", "kMaxMoves")),
     Figures("docs/exactness.md", "at most {} entries", constant("tests/exactness/oracle/trace/trace_checker.cpp", "kMaxEntries")),
     Figures("docs/exactness.md", "`Tolerances::kNudge` = {} subunits clears it, the step tries {} offsets", nudge),

@@ -1,175 +1,265 @@
 #include "shared/physics/step/entity_step.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
-#include "shared/physics/step/follow.h"
-#include "shared/physics/step/hit_frame.h"
-#include "shared/physics/step/segment_ends.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/precise_point.h"
+#include "platon/physics/sweep.h"
+#include "shared/physics/step/stages.h"
 #include "shared/physics/tolerances.h"
 
 namespace platon {
 namespace {
 
-Collider& begun(const Entity& entity, const Instances& instances, const EntityStep::Context& context) {
-  context.buffers.collider.begin(context.rules, entity, instances, context.regions, context.work);
-  return context.buffers.collider;
+// Whether a segment, of a wall or of a warp, is within Tolerances::kNear of the straight move.
+bool isAnythingNear(const Placement& placement, Point displacement, Region& region, Region::Work& work) {
+  Sweep sweep;
+  sweep.start(*placement.shape, placement.position, displacement, Tolerances::kNear);
+  region.cover(*placement.part, sweep.bounds().grown(Collider::kRegionMargin), work);
+  for (std::size_t entry = 0; entry < region.segments().size(); ++entry) {
+    if (region.mayOverlap(sweep, entry, *placement.shape)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-EntityStep::EntityStep(const Entity& entity, EntityState& state, Instances& instances, const Context& context)
-    : state_(state),
-      headingBefore_(state.heading),
-      firstId_(state.nextId),
-      touched_(context.touched),
-      refusedWarps_(context.buffers.refusedWarps),
-      contacts_(entity.id(), instances, begun(entity, instances, context), context.events, context.buffers.changes),
-      mover_(state, instances, context.buffers.collider, contacts_,
-             {context.observer, entity.index(), context.buffers.views}),
-      slide_{instances, precise(state.position) + PrecisePoint{state.remainder.x, state.remainder.y}} {}
-
-// The displacement of the tick does not change during slides: a segment removes only the component towards it, and only
-// while it touches.
-void EntityStep::translate(Point velocity, Angle heading) {
-  slide_.tick = slide_.remaining = rotatePrecise(velocity, rotationOf(heading));
-  mover_.start(slide_.remaining);
-  if (velocity == Point()) {  // a rotation may have brought the shape to other edges
-    insertReachedInstances();
-    return;
-  }
-  for (int legs = slideOn() ? 2 : 0;
-       legs < kMaxLegs && mover_.moves() <= kMaxLegs - kMovesOfLeg && slide_.remaining != PrecisePoint(); ++legs) {
-    const LegPlan plan = nextPlan();
-    if (plan.displacement == PrecisePoint()) break;
-    Leg leg{plan.displacement};
-    prepareLeg(leg, mover_, slide_.place, plan.slides ? &*slide_.contact : nullptr, refusedWarps_);
-    executeLeg(leg, plan);
-    if (!mover_.instances().isAlone()) rehome();
-  }
-  if (slide_.contact) mover_.dropUnreached();
-  storeRemainder();
-}
-
-// The first two legs of a body that still slides along the segment of the last step: one that is stopped at once, for
-// which no search is needed, and one along the edge. Returns false, and does nothing, in other cases.
-bool EntityStep::slideOn() {
-  const std::uint32_t touched = std::exchange(touched_, Collider::kNoSegment);
-  const bool isNear =
-      maxNorm(slide_.place - precise(mover_.position())) < (Tolerances::kContactGap - 1) * PrecisePoint::kOne;
-  if (touched == Collider::kNoSegment || !isNear || !mover_.instances().isAlone()) return false;
-  const auto hit = mover_.collider().touching(mover_.instances(), touched, slide_.place, slide_.remaining);
-  if (!hit || isBlockedByEnd(slide_, *hit, slide_.place, slide_.remaining)) return false;
-  slide_.contact = hit;
-  const LegPlan plan = slide_.next();
-  Leg leg{plan.displacement};
-  if (plan.displacement == PrecisePoint() ||
-      !prepareSlide(leg, mover_, slide_.place, *hit, slide_.remaining, refusedWarps_)) {
-    slide_.contact.reset();
+bool flyFreely(EntityState& state, Instances& instances, std::vector<Region>& regions, Region::Work& work) {
+  constexpr std::int32_t kFar = kCoordinateLimit / 4;
+  if (state.turn != 0 || !instances.isAlone() || instances.home().region >= regions.size()) return false;
+  const PrecisePoint displacement = rotatePrecise(state.velocity, rotationOf(state.heading));
+  if (maxNorm(displacement) <= Tolerances::kNoProgress || maxNorm(displacement) >= kFar * PrecisePoint::kOne ||
+      maxNorm(state.position) >= kFar)
     return false;
-  }
-  touched_ = touched;
-  contacts_.addContact(*hit);
-  executeLeg(leg, plan);
-  if (!mover_.instances().isAlone()) rehome();
+  const PrecisePoint moved = displacement + PrecisePoint{state.remainder.x, state.remainder.y};
+  const Point move = rounded(moved);
+  const PrecisePoint remainder = moved - precise(move);
+  // Of several nearest lattice points, `follow` chooses.
+  if (maxNorm(remainder) >= PrecisePoint::kOne / 2) return false;
+  Placement& home = instances.home();
+  if (isAnythingNear(home, move, regions[home.region], work)) return false;
+  instances.moveHomeTo(state.position + move);
+  home.fresh = false;
+  instances.storeHome(state);
+  state.remainder = Point(static_cast<std::int32_t>(remainder.x), static_cast<std::int32_t>(remainder.y));
   return true;
 }
 
-bool EntityStep::insertReachedInstances() {
-  Leg leg;
-  prepareLeg(leg, mover_, slide_.place, nullptr, refusedWarps_);
-  rehome();
-  storeRemainder();
-  return leg.end == Leg::End::kReached && refusedWarps_.empty();
+namespace {
+
+// Limit of one portion of a rotation, in centidegrees (5°). The arcs of the vertices then extend beyond the hull of the
+// old and the new shape by less than 1/1000 of the radius.
+constexpr std::int32_t kMaxPortion = 500;
+
+// The first segment that blocks the rotation, in order of the instances starting at `from`.
+std::optional<SegmentRef> blockerOf(StepState& step, std::int32_t centidegrees, std::size_t from) {
+  Instances& instances = step.instances;
+  for (std::size_t i = from; i < instances.all().size(); ++i) {
+    const Placement& placement = instances.all()[i];
+    const auto bounds = instances.rotationBounds(i, centidegrees);
+    if (!bounds || !step.collider.mayOverlap(placement, *bounds)) continue;
+    const Convex& hull = *instances.rotationHull(i, centidegrees);
+    if (const auto segment = step.collider.overlapped(placement, hull)) return step.collider.refOf(placement, *segment);
+  }
+  return std::nullopt;
+}
+
+// Adds the instances that the rotating shape reaches. Returns false when one cannot be placed or the rotated shape is
+// degenerate.
+bool insertReachedBy(StepState& step, std::int32_t centidegrees) {
+  Instances& instances = step.instances;
+  for (std::size_t i = 0; i < instances.all().size(); ++i) {
+    const auto bounds = instances.rotationBounds(i, centidegrees);
+    if (!bounds) return false;
+    const Box reach = bounds->grown(Tolerances::kInsert);
+    const MapGeometry& part = *instances.all()[i].part;
+    for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
+      if (!reach.overlaps(boundsOf(part.warps[warp].from))) continue;
+      const Convex& hull = *instances.rotationHull(i, centidegrees);
+      if (!step.collider.reachesWarp(instances, {i, warp}, hull, Tolerances::kInsert)) continue;
+      if (instances.isAtInstanceLimit(i) || !step.insertBehind(i, warp)) return false;
+    }
+  }
+  return true;
+}
+
+bool rotatePortion(StepState& step, std::int32_t centidegrees) {
+  const std::size_t known = step.instances.all().size();
+  if (blockerOf(step, centidegrees, 0) || !insertReachedBy(step, centidegrees) || blockerOf(step, centidegrees, known))
+    return false;
+  step.rotateShapes(centidegrees);
+  return true;
+}
+
+}  // namespace
+
+// When a portion is blocked, smaller ones are tried, down to a centidegree, because the hull of a large portion is
+// larger than the area that the shape sweeps. After a free portion the size doubles again.
+void rotateBy(StepState& step, std::int32_t centidegrees) {
+  std::int32_t limit = kMaxPortion;
+  while (centidegrees != 0) {
+    const std::int32_t portion = std::clamp(centidegrees, -limit, limit);
+    if (rotatePortion(step, portion)) {
+      centidegrees -= portion;
+      limit = std::min(2 * limit, kMaxPortion);
+    } else if (limit = std::abs(portion) / 2; limit == 0) {
+      if (const auto segment = blockerOf(step, portion, 0)) addTouch(step, *segment);
+      return;
+    }
+  }
+}
+
+namespace {
+
+void storeRemainder(StepState& step) {
+  const PrecisePoint remainder = step.place - precise(step.position());
+  const bool isKept = maxNorm(remainder) <= kRemainderLimit;
+  step.entity.remainder =
+      isKept ? Point(static_cast<std::int32_t>(remainder.x), static_cast<std::int32_t>(remainder.y)) : Point();
+}
+
+// Instances are dropped only after all rehomes: a fast entity could otherwise leave the solid. And not while a contact
+// names one.
+void rehomeAndDrop(StepState& step) {
+  step.rehome();
+  if (!step.contact) step.dropUnreached();
+}
+
+// Passes the segment end that `end` touches, if it protrudes slightly from the edge of `from`, on which the ideal place
+// is at `at`. The next leg leads on from there.
+bool pass(StepState& step, const LegHit& end, const LegHit& from, PrecisePoint at, PrecisePoint remaining) {
+  const auto nudge = findNudge(step, end, homeNormalOf(step.instances, from), at, remaining);
+  if (!nudge) return false;
+  step.moveTo(nudge->to);
+  step.place = precise(nudge->to);
+  step.remaining = remaining;
+  step.contact.reset();
+  step.passing = LegPlan{precise(nudge->onwards)};
+  return true;
 }
 
 // A body that rests on a segment end may still pass it.
-LegPlan EntityStep::nextPlan() {
-  LegPlan plan = slide_.next();
+LegPlan nextPlan(StepState& step) {
+  LegPlan plan = planLeg(step);
   if (plan.slides && plan.displacement == PrecisePoint() &&
-      pass(*slide_.contact, *slide_.contact, slide_.place, slide_.remaining))
-    plan = slide_.next();
-  slide_.passing.reset();
-  if (!plan.slides) slide_.contact.reset();
+      pass(step, *step.contact, *step.contact, step.place, step.remaining))
+    plan = planLeg(step);
+  step.passing.reset();
+  if (!plan.slides) step.contact.reset();
   return plan;
-}
-
-// Moves to the end of the leg and reports the segment that stopped it.
-void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
-  const PrecisePoint end = slide_.endOf(leg, plan);
-  const PrecisePoint remaining = slide_.remainingAfter(leg, plan);
-  const bool progresses = maxNorm(end - slide_.place) > Tolerances::kNoProgress;
-  const bool isStopped = leg.isStopped();
-  if (isStopped) slide_.turnCorner(*leg.hit, end);
-  if (isStopped && !progresses && slide_.contact && isWedged(*leg.hit)) return stopInWedge(*leg.hit, remaining);
-  if (isStopped && isBlockedByEnd(slide_, *leg.hit, end, remaining) &&
-      pass(*leg.hit, slide_.contact ? *slide_.contact : *leg.hit, end, remaining))
-    return;
-  const bool isNear = maxNorm(end - precise(mover_.position())) <= Tolerances::kContactGap * PrecisePoint::kOne;
-  const Point start = mover_.position();
-  // A leg that has no room for another instance would be repeated.
-  slide_.remaining = leg.end == Leg::End::kFull && !progresses ? PrecisePoint() : remaining;
-  slide_.contact.reset();
-  if (progresses) idleLegs_ = 0;
-  if ((!progresses && isNear) || follow(mover_, {end, leg.hit ? &*leg.hit : nullptr, slide_.tick})) {
-    if (progresses || plan.cut) slide_.place = end;
-    if (isStopped) slide_.contact = leg.hit;
-  } else if (fallBack(mover_, end) || mover_.position() != start) {
-    slide_.place = precise(mover_.position());
-  } else {
-    slide_.remaining = PrecisePoint();  // so the next tick ends in the same way
-  }
-  if (isStopped) contacts_.addContact(*leg.hit);
-  if (isStopped && leg.hit->placement == 0 && touched_ == Collider::kNoSegment) touched_ = leg.hit->segment;
 }
 
 // Whether the body is caught between the present contact and `hit`: the slide along each leads into the other, both are
 // one edge, or there were too many slides without progress, of which this is one.
-bool EntityStep::isWedged(const LegHit& hit) {
-  return slide_.isOnContact(hit) || ++idleLegs_ > kMaxIdleLegs || slide_.isCaughtAt(hit);
+bool isWedged(StepState& step, const LegHit& hit) {
+  return isOnContact(step, hit) || ++step.idleLegs > StepLimits::kMaxIdleLegs || isCaughtAt(step, hit);
 }
 
 // Between the present contact and `hit`, unless an end of one of them can be passed.
-void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint remaining) {
-  const LegHit contact = *slide_.contact;
-  const PrecisePoint place = slide_.place;
-  if (pass(hit, contact, place, remaining) || pass(contact, hit, place, remaining) ||
-      pass(hit, hit, place, remaining) || pass(contact, contact, place, remaining))
+void stopInWedge(StepState& step, const LegHit& hit, PrecisePoint remaining) {
+  const LegHit contact = *step.contact;
+  const PrecisePoint place = step.place;
+  if (pass(step, hit, contact, place, remaining) || pass(step, contact, hit, place, remaining) ||
+      pass(step, hit, hit, place, remaining) || pass(step, contact, contact, place, remaining))
     return;
-  contacts_.addContact(hit);
-  slide_.remaining = PrecisePoint();
+  addContact(step, hit);
+  step.remaining = PrecisePoint();
 }
 
-// Passes the segment end that `end` touches, if it protrudes slightly from the edge of `from`, on which the ideal place
-// is at `place`. The next leg leads on from there.
-bool EntityStep::pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint remaining) {
-  const auto nudge = findNudge(mover_, slide_, end, homeNormalOf(mover_.instances(), from), place, remaining);
-  if (!nudge) return false;
-  mover_.moveTo(nudge->to);
-  slide_.place = precise(nudge->to);
-  slide_.remaining = remaining;
-  slide_.contact.reset();
-  slide_.passing = LegPlan{precise(nudge->onwards)};
+// Moves to the end of the leg and reports the segment that stopped it.
+void makeLeg(StepState& step, Leg& leg) {
+  const PrecisePoint end = placeAfter(step, leg);
+  const PrecisePoint remaining = remainingAfter(step, leg);
+  const bool progresses = maxNorm(end - step.place) > Tolerances::kNoProgress;
+  const bool isStopped = leg.isStopped();
+  if (isStopped) turnCorner(step, *leg.hit, end);
+  if (isStopped && !progresses && step.contact && isWedged(step, *leg.hit))
+    return stopInWedge(step, *leg.hit, remaining);
+  if (isStopped && isBlockedByEnd(step, *leg.hit, end, remaining) &&
+      pass(step, *leg.hit, step.contact ? *step.contact : *leg.hit, end, remaining))
+    return;
+  const bool isNear = maxNorm(end - precise(step.position())) <= Tolerances::kContactGap * PrecisePoint::kOne;
+  const Point start = step.position();
+  // A leg that has no room for another instance would be repeated.
+  step.remaining = leg.end == Leg::End::kFull && !progresses ? PrecisePoint() : remaining;
+  step.contact.reset();
+  if (progresses) step.idleLegs = 0;
+  if ((!progresses && isNear) || follow(step, end, leg.hit ? &*leg.hit : nullptr)) {
+    if (progresses || leg.plan.cut) step.place = end;
+    if (isStopped) step.contact = leg.hit;
+  } else if (fallBack(step, end) || step.position() != start) {
+    step.place = precise(step.position());
+  } else {
+    step.remaining = PrecisePoint();  // so the next tick ends in the same way
+  }
+  if (isStopped) addContact(step, *leg.hit);
+  if (isStopped && leg.hit->placement == 0 && step.touched == Collider::kNoSegment) step.touched = leg.hit->segment;
+}
+
+// The first two legs of a body that still slides along the segment of the last step: one that is stopped at once, for
+// which no search is needed, and one along the edge. Returns false, and moves nothing, in other cases.
+bool continueSlide(StepState& step) {
+  const std::uint32_t touched = std::exchange(step.touched, Collider::kNoSegment);
+  const bool isNear =
+      maxNorm(step.place - precise(step.position())) < (Tolerances::kContactGap - 1) * PrecisePoint::kOne;
+  if (touched == Collider::kNoSegment || !isNear || !step.instances.isAlone()) return false;
+  const auto hit = step.collider.touching(step.instances, touched, step.place, step.remaining);
+  if (!hit || isBlockedByEnd(step, *hit, step.place, step.remaining)) return false;
+  step.contact = hit;
+  const LegPlan plan = planLeg(step);
+  auto leg = plan.displacement == PrecisePoint() ? std::nullopt : findSlide(step, plan);
+  if (!leg) {
+    step.contact.reset();
+    return false;
+  }
+  step.touched = touched;
+  addContact(step, *hit);
+  makeLeg(step, *leg);
+  if (!step.instances.isAlone()) rehomeAndDrop(step);
   return true;
 }
 
-// The centre may have crossed several parts. Each rehome rotates the frame and with it the remaining displacement.
-// Instances are dropped only afterwards: a fast entity could otherwise leave the solid.
-void EntityStep::rehome() {
-  while (const auto turn = mover_.rehome(slide_.place)) slide_.rotateFrame(*turn);
-  if (!slide_.contact) mover_.dropUnreached();
+// The displacement of the tick does not change during slides: a segment removes only the component towards it, and only
+// while it touches.
+void translate(StepState& step, Point velocity, Angle heading) {
+  step.setDisplacement(rotatePrecise(velocity, rotationOf(heading)));
+  if (velocity == Point()) {  // a rotation may have brought the shape to other edges
+    insertReachedInstances(step);
+    return;
+  }
+  for (int legs = continueSlide(step) ? 2 : 0;
+       legs < StepLimits::kMaxLegs && step.moves <= StepLimits::kMaxLegs - StepLimits::kMovesOfLeg &&
+       step.remaining != PrecisePoint();
+       ++legs) {
+    const LegPlan plan = nextPlan(step);
+    if (plan.displacement == PrecisePoint()) break;
+    Leg leg = findLeg(step, plan);
+    makeLeg(step, leg);
+    if (!step.instances.isAlone()) rehomeAndDrop(step);
+  }
+  if (step.contact) step.dropUnreached();
+  storeRemainder(step);
 }
 
-void EntityStep::storeRemainder() {
-  const PrecisePoint remainder = slide_.place - precise(mover_.position());
-  const bool isKept = maxNorm(remainder) <= kRemainderLimit;
-  state_.remainder =
-      isKept ? Point(static_cast<std::int32_t>(remainder.x), static_cast<std::int32_t>(remainder.y)) : Point();
+}  // namespace
+
+bool insertReachedInstances(StepState& step) {
+  const Leg leg = findLeg(step, {});
+  rehomeAndDrop(step);
+  storeRemainder(step);
+  return leg.end == Leg::End::kReached && !leg.lacksInstance;
 }
 
-void EntityStep::finish(std::vector<InstanceState>& further) {
-  mover_.instances().reuseIds(firstId_);
-  contacts_.finish(state_.heading - headingBefore_);
-  store(further);
+void takeStep(StepState& step, std::vector<InstanceState>& further) {
+  beginContacts(step);
+  rotateBy(step, std::exchange(step.entity.turn, 0));
+  translate(step, step.entity.velocity, step.entity.heading);
+  step.instances.reuseIds(step.firstId);
+  finishContacts(step);
+  step.store(further);
 }
 
 }  // namespace platon

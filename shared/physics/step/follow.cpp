@@ -1,5 +1,3 @@
-#include "shared/physics/step/follow.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,11 +6,18 @@
 #include "platon/exact/fraction.h"
 #include "shared/exact/lattice.h"
 #include "shared/physics/ideal_geometry.h"
-#include "shared/physics/step/hit_frame.h"
+#include "shared/physics/step/stages.h"
 #include "shared/physics/tolerances.h"
 
 namespace platon {
 namespace {
+
+// Where the position shall go: near to the ideal place, on the outer side of what was hit. Of places equally near and
+// equally far out, one ahead is taken.
+struct Aim {
+  PrecisePoint end;
+  const LegHit* hit;  // may be null
+};
 
 constexpr auto kPlaces = latticeDisc<Tolerances::kFollow>();
 constexpr auto kDetours = latticeDisc<Tolerances::kNudge>();
@@ -46,23 +51,23 @@ std::size_t placesWithin(std::int64_t squaredDistance) {
 }
 
 // A first sieve: whether the place is outside of the edge that stopped the leg.
-bool mayStandAt(const Mover& mover, const FollowAim& aim, Point place) {
+bool mayStandAt(const StepState& step, const Aim& aim, Point place) {
   if (!aim.hit) return true;
   const Obstacle::HalfPlane& half = aim.hit->edge.half;
-  return dot(half.normal, placementOf(mover.instances(), *aim.hit).at(place)) + half.offset >= 0;
+  return dot(half.normal, placementOf(step.instances, *aim.hit).at(place)) + half.offset >= 0;
 }
 
 // Of two places that are equally near: the one farther out, or farther ahead. So a mirrored scene moves in the same
 // way.
-bool isBetter(const Mover& mover, const FollowAim& aim, Point offset, Point other) {
+bool isBetter(const StepState& step, const Aim& aim, Point offset, Point other) {
   const Point beyond = offset - other;
-  const std::int64_t outwards = aim.hit ? dot(homeNormalOf(mover.instances(), *aim.hit), beyond) : 0;
-  return outwards != 0 ? outwards > 0 : distanceTo({beyond, 0}, aim.tick) > 0;
+  const std::int64_t outwards = aim.hit ? dot(homeNormalOf(step.instances, *aim.hit), beyond) : 0;
+  return outwards != 0 ? outwards > 0 : distanceTo({beyond, 0}, step.tick) > 0;
 }
 
 // Tries the places in order of their exact distance from the ideal place.
-std::optional<Point> nearestReachable(Mover& mover, const FollowAim& aim) {
-  const Point nearest = mover.roundedAt(aim.end);
+std::optional<Point> nearestReachable(StepState& step, const Aim& aim) {
+  const Point nearest = step.roundedAt(aim.end);
   std::array<bool, kPlaces.size()> tried{};
   for (;;) {
     std::optional<std::size_t> best;
@@ -71,9 +76,8 @@ std::optional<Point> nearestReachable(Mover& mover, const FollowAim& aim) {
     for (std::size_t i = 0; i < considered; ++i) {
       if (tried[i]) continue;
       const std::int64_t here = squaredDistance(nearest + kPlaces[i], aim.end);
-      if (best && (here > distance || (here == distance && !isBetter(mover, aim, kPlaces[i], kPlaces[*best]))))
-        continue;
-      if (!mayStandAt(mover, aim, nearest + kPlaces[i])) continue;
+      if (best && (here > distance || (here == distance && !isBetter(step, aim, kPlaces[i], kPlaces[*best])))) continue;
+      if (!mayStandAt(step, aim, nearest + kPlaces[i])) continue;
       best = i;
       distance = here;
       considered = placesWithin(distance);
@@ -81,32 +85,32 @@ std::optional<Point> nearestReachable(Mover& mover, const FollowAim& aim) {
     if (!best) return std::nullopt;
     tried[*best] = true;
     const Point place = nearest + kPlaces[*best];
-    if (mover.isReachable(place)) return place;
+    if (step.isReachable(place)) return place;
   }
 }
 
 // Where the straight way is blocked by an end that the ideal path just passes: by way of a place near the position, to
 // one near the ideal place.
-bool followByDetour(Mover& mover, const FollowAim& aim) {
-  const Point nearest = mover.roundedAt(aim.end);
-  const Point start = mover.position();
+bool followByDetour(StepState& step, const Aim& aim) {
+  const Point nearest = step.roundedAt(aim.end);
+  const Point start = step.position();
   std::array<Point, kPlaces.size()> places;
   std::size_t count = 0;
   for (const Point offset : kPlaces) {
     const Point place = nearest + offset;
     const bool isNear = squaredDistance(place, aim.end) <= kSquaredNear;
-    if (isNear && mayStandAt(mover, aim, place) && mover.allInRange(place) && mover.mayBeAt(place))
+    if (isNear && mayStandAt(step, aim, place) && step.allInRange(place) && step.mayBeAt(place))
       places[count++] = place;
   }
   for (const Point detour : std::span(kDetours).subspan(1)) {
     const Point over = start + detour;
-    if (count == 0 || !mover.allInRange(over) || !mover.isFree(start, over)) continue;
+    if (count == 0 || !step.allInRange(over) || !step.isFree(start, over)) continue;
     for (const Point place : std::span(places).first(count)) {
-      if (!mover.isFree(over, place)) continue;
-      mover.moveTo(over);
+      if (!step.isFree(over, place)) continue;
+      step.moveTo(over);
       // Rules::pierce is asked before each move.
-      if (!mover.isFree(over, place)) return false;
-      mover.moveTo(place);
+      if (!step.isFree(over, place)) return false;
+      step.moveTo(place);
       return true;
     }
   }
@@ -115,37 +119,37 @@ bool followByDetour(Mover& mover, const FollowAim& aim) {
 
 // The work of `follow` where the lattice point nearest to the ideal place is not reachable, or is not the only nearest
 // one.
-bool followFarther(Mover& mover, const FollowAim& aim) {
-  const auto place = nearestReachable(mover, aim);
+bool followFarther(StepState& step, const Aim& aim) {
+  const auto place = nearestReachable(step, aim);
   const bool isNear = place && squaredDistance(*place, aim.end) <= kSquaredNear;
-  const Point start = mover.position();
-  if (!isNear && followByDetour(mover, aim)) return true;
-  if (!place || mover.position() != start) return false;
-  mover.moveTo(*place);
+  const Point start = step.position();
+  if (!isNear && followByDetour(step, aim)) return true;
+  if (!place || step.position() != start) return false;
+  step.moveTo(*place);
   return true;
 }
 
 }  // namespace
 
-bool follow(Mover& mover, const FollowAim& aim) {
-  const Point nearest = mover.roundedAt(aim.end);
+bool follow(StepState& step, PrecisePoint end, const LegHit* hit) {
+  const Aim aim{end, hit};
+  const Point nearest = step.roundedAt(aim.end);
   const bool isNearestAlone = maxNorm(aim.end - precise(nearest)) < PrecisePoint::kOne / 2;
-  if (!isNearestAlone || !mayStandAt(mover, aim, nearest) || !mover.isReachable(nearest))
-    return followFarther(mover, aim);
-  mover.moveTo(nearest);
+  if (!isNearestAlone || !mayStandAt(step, aim, nearest) || !step.isReachable(nearest)) return followFarther(step, aim);
+  step.moveTo(nearest);
   return true;
 }
 
-bool fallBack(Mover& mover, PrecisePoint end) {
-  const Point start = mover.position();
-  const Point displacement = mover.roundedAt(end) - start;
+bool fallBack(StepState& step, PrecisePoint end) {
+  const Point start = step.position();
+  const Point displacement = step.roundedAt(end) - start;
   Point move = displacement;
-  if (const auto hit = mover.collider().first(mover.instances(), start, start + displacement))
+  if (const auto hit = step.collider.first(step.instances, start, start + displacement))
     move = scaleTruncated(displacement, hit->hit.time);
   while (move != Point() &&
-         !(mover.allInRange(start + move) && mover.isFree(start, start + move) && mover.mayBeAt(start + move)))
+         !(step.allInRange(start + move) && step.isFree(start, start + move) && step.mayBeAt(start + move)))
     move = {move.x / 2, move.y / 2};
-  mover.moveTo(start + move);
+  step.moveTo(start + move);
   return move != Point();
 }
 

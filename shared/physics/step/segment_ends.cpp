@@ -1,12 +1,10 @@
-#include "shared/physics/step/segment_ends.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <span>
 
 #include "platon/exact/integer.h"
 #include "shared/exact/lattice.h"
-#include "shared/physics/step/hit_frame.h"
+#include "shared/physics/step/stages.h"
 #include "shared/physics/tolerances.h"
 
 namespace platon {
@@ -23,8 +21,8 @@ int128 squared(PrecisePoint vector) {
 }
 
 // The squared length of the remaining displacement along the edge of `hit`.
-int128 squaredSlide(const Slide& slide, const LegHit& hit) {
-  return squared(alongEdge(homeNormalOf(slide.instances, hit), slide.remaining));
+int128 squaredSlide(const StepState& step, const LegHit& hit) {
+  return squared(alongEdge(homeNormalOf(step.instances, hit), step.remaining));
 }
 
 // Whether the shape is too small for nudges: it could be nudged back and forth between the two sides of an end.
@@ -37,87 +35,41 @@ bool isImmediate(const Hit& hit, Point displacement) {
   return squaredLength(scaleTruncated(displacement, hit.time)) <= squaredLength(Point(kNudge, kNudge));
 }
 
-// The search for a nudge past the end that `end` touches.
-class EndPassage {
- public:
-  EndPassage(Mover& mover, PrecisePoint tick, const LegHit& end, PrecisePoint ideal)
-      : mover_(mover),
-        collider_(mover.collider()),
-        instances_(mover.instances()),
-        tick_(tick),
-        end_(end),
-        ideal_(ideal) {}
-
-  /// Whether the body touches an end of the segment at its ideal place, perhaps with a vertex. If so, the hit becomes
-  /// one of that end, as `nudge` requires.
-  bool touchesEnd();
-  /// The normal of the end in the frame of the home part.
-  Point normal() const { return homeNormalOf(instances_, end_); }
-  /// The position, at most kNudge subunits beside `reached`, from which the segment end is passed. The path must
-  /// continue from there, so that an entity at rest is not nudged back and forth, and must lead past the end.
-  std::optional<Point> nudge(Point reached, Point target);
-
- private:
-  bool isAtJoint();
-  bool grazes(Point reached, Point target) const;
-  bool isAhead(Point place) const;
-  bool continuesPast(Point from, Point to);
-  bool hitsEndAgain(Point from, Point to);
-  Point awayFromEnd() const;
-
-  Mover& mover_;
-  Collider& collider_;
-  const Instances& instances_;
-  PrecisePoint tick_;
-  LegHit end_;
-  PrecisePoint ideal_;
-};
-
-bool EndPassage::touchesEnd() {
-  if (end_.hit.side == Hit::Side::kSegmentEnd) return true;
-  const Segment& segment = segmentOf(instances_, end_);
-  const ObstacleEdge& edge = end_.edge;
+// Whether the body at the ideal place `at` touches an end of the segment, perhaps with a vertex. If so, the hit becomes
+// one of that end, as `nudged` requires.
+bool touchesEnd(const StepState& step, LegHit& end, PrecisePoint at) {
+  if (end.hit.side == Hit::Side::kSegmentEnd) return true;
+  const Segment& segment = segmentOf(step.instances, end);
+  const ObstacleEdge& edge = end.edge;
   const Point tangent = perpendicular(edge.half.normal);
-  const PrecisePoint there = instances_.idealOf(end_.placement, ideal_);
+  const PrecisePoint there = step.instances.idealOf(end.placement, at);
   const int128 near = int128{Tolerances::kNoProgress} * (std::abs(tangent.x) + std::abs(tangent.y));
   const bool isHigh = distanceTo({tangent, -edge.high}, there) >= -near;
   if (!isHigh && distanceTo({tangent, -edge.low}, there) > near) return false;
-  end_.hit.side = Hit::Side::kSegmentEnd;
-  end_.hit.feature = (dot(tangent, segment.b - segment.a) > 0) == isHigh ? segment.b : segment.a;
+  end.hit.side = Hit::Side::kSegmentEnd;
+  end.hit.feature = (dot(tangent, segment.b - segment.a) > 0) == isHigh ? segment.b : segment.a;
   return true;
-}
-
-std::optional<Point> EndPassage::nudge(Point reached, Point target) {
-  if (isTiny(*placementOf(instances_, end_).shape) || !grazes(reached, target) || !isAtJoint()) return std::nullopt;
-  const Point position = mover_.position();
-  for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
-    const Point from = reached + offset;
-    const Point to = target + offset;
-    if (!isAhead(to) || dot(to - position, normal()) >= 0 || !mover_.allInRange(to)) continue;
-    if (continuesPast(from, to) && mover_.isFree(position, from) && mover_.mayBeAt(from)) return from;
-  }
-  return std::nullopt;
 }
 
 // Whether another segment, perhaps on a neighbouring face, reaches the end. An end that stands alone stops the body, as
 // it stops the ideal one.
-bool EndPassage::isAtJoint() {
-  const Placement& own = placementOf(instances_, end_);
-  if (collider_.hasSegmentNear(own, end_.hit.feature, Tolerances::kJoint, end_.segment)) return true;
-  const Point end = rotate(end_.hit.feature - own.position, own.toHome);  // from the position of the body
-  return std::any_of(instances_.all().begin(), instances_.all().end(), [&](const Placement& other) {
-    return &other != &own && collider_.hasSegmentNear(other, other.position + rotate(end, other.fromHome),
-                                                      Tolerances::kJointAcross, Collider::kNoSegment);
+bool isAtJoint(StepState& step, const LegHit& end) {
+  const Placement& own = placementOf(step.instances, end);
+  if (step.collider.hasSegmentNear(own, end.hit.feature, Tolerances::kJoint, end.segment)) return true;
+  const Point feature = rotate(end.hit.feature - own.position, own.toHome);  // from the position of the body
+  return std::any_of(step.instances.all().begin(), step.instances.all().end(), [&](const Placement& other) {
+    return &other != &own && step.collider.hasSegmentNear(other, other.position + rotate(feature, other.fromHome),
+                                                          Tolerances::kJointAcross, Collider::kNoSegment);
   });
 }
 
 // Whether the segment end is within kNudge of a flank of the shape. Otherwise no nudge can clear it.
 // Bounds: side < 2^30, differences < 2^31, so that products are < 2^62.
-bool EndPassage::grazes(Point reached, Point target) const {
-  const Placement& placement = placementOf(instances_, end_);
+bool grazes(const StepState& step, const LegHit& end, Point reached, Point target) {
+  const Placement& placement = placementOf(step.instances, end);
   const Point from = placement.at(reached);
   const Point side = perpendicular(placement.at(target) - from);
-  const Point feature = end_.hit.feature - from;
+  const Point feature = end.hit.feature - from;
   std::int64_t low = dot(side, placement.shape->vertices()[0]);
   std::int64_t high = low;
   for (const Point vertex : placement.shape->vertices()) {
@@ -125,64 +77,81 @@ bool EndPassage::grazes(Point reached, Point target) const {
     low = std::min(low, dot(side, vertex));
     high = std::max(high, dot(side, vertex));
   }
-  const std::int64_t end = dot(side, feature);
-  const int128 depth = std::min(end - low, high - end);
+  const std::int64_t beside = dot(side, feature);
+  const int128 depth = std::min(beside - low, high - beside);
   return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
 }
 
 // Whether the tick leads from the ideal place to this one rather than back.
-bool EndPassage::isAhead(Point place) const {
-  const PrecisePoint gained = precise(place) - ideal_;
-  return int128{gained.x} * tick_.x + int128{gained.y} * tick_.y > 0;
-}
-
-// Whether the path from `from` to `to` passes the end and then either leads ahead, to its end or to the next segment,
-// or slides along the segment, away from the end. Legs never lead back, so a body that rests is not nudged for ever.
-bool EndPassage::continuesPast(Point from, Point to) {
-  if (hitsEndAgain(from, to)) return false;
-  const auto next = collider_.first(instances_, from, to);
-  if (!next) return true;
-  if (next->placement != end_.placement || next->segment != end_.segment)
-    return !isImmediate(next->hit, to - from) && isAhead(from + scaleTruncated(to - from, next->hit.time));
-  const Point tangent = perpendicular(homeNormalOf(instances_, *next));
-  const Point direction = distanceTo({tangent, 0}, tick_) >= 0 ? tangent : -tangent;
-  return next->hit.side == Hit::Side::kSegment && dot(direction, to - from) > 0 && dot(direction, awayFromEnd()) > 0;
+bool isAhead(const StepState& step, PrecisePoint at, Point place) {
+  const PrecisePoint gained = precise(place) - at;
+  return int128{gained.x} * step.tick.x + int128{gained.y} * step.tick.y > 0;
 }
 
 // Fast path of continuesPast: whether the path immediately hits the same end again, which is usual.
-bool EndPassage::hitsEndAgain(Point from, Point to) {
-  const Placement& placement = placementOf(instances_, end_);
-  const auto again = collider_.hit(placement, {placement.at(from), placement.at(to)}, end_.segment);
+bool hitsEndAgain(StepState& step, const LegHit& end, Point from, Point to) {
+  const Placement& placement = placementOf(step.instances, end);
+  const auto again = step.collider.hit(placement, {placement.at(from), placement.at(to)}, end.segment);
   return again && again->side != Hit::Side::kSegment && isImmediate(*again, to - from);
 }
 
 // The vector from the end that was hit to the other end, in the frame of the home part. Coordinates below 2^30.
-Point EndPassage::awayFromEnd() const {
-  const Segment& segment = segmentOf(instances_, end_);
-  const Point along = segment.a == end_.hit.feature ? segment.b - segment.a : segment.a - segment.b;
-  return rotate(along, placementOf(instances_, end_).toHome);
+Point awayFromEnd(const StepState& step, const LegHit& end) {
+  const Segment& segment = segmentOf(step.instances, end);
+  const Point along = segment.a == end.hit.feature ? segment.b - segment.a : segment.a - segment.b;
+  return rotate(along, placementOf(step.instances, end).toHome);
+}
+
+// Whether the path from `from` to `to` passes the end and then either leads ahead, to its end or to the next segment,
+// or slides along the segment, away from the end. Legs never lead back, so a body that rests is not nudged for ever.
+bool continuesPast(StepState& step, const LegHit& end, PrecisePoint at, Point from, Point to) {
+  if (hitsEndAgain(step, end, from, to)) return false;
+  const auto next = step.collider.first(step.instances, from, to);
+  if (!next) return true;
+  if (next->placement != end.placement || next->segment != end.segment)
+    return !isImmediate(next->hit, to - from) && isAhead(step, at, from + scaleTruncated(to - from, next->hit.time));
+  const Point tangent = perpendicular(homeNormalOf(step.instances, *next));
+  const Point direction = distanceTo({tangent, 0}, step.tick) >= 0 ? tangent : -tangent;
+  return next->hit.side == Hit::Side::kSegment && dot(direction, to - from) > 0 &&
+         dot(direction, awayFromEnd(step, end)) > 0;
+}
+
+// The position, at most kNudge subunits beside `reached`, from which the segment end is passed. The path must continue
+// from there, so that an entity at rest is not nudged back and forth, and must lead past the end.
+std::optional<Point> nudged(StepState& step, const LegHit& end, PrecisePoint at, Point reached, Point target) {
+  if (isTiny(*placementOf(step.instances, end).shape) || !grazes(step, end, reached, target) || !isAtJoint(step, end))
+    return std::nullopt;
+  const Point position = step.position();
+  for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
+    const Point from = reached + offset;
+    const Point to = target + offset;
+    if (!isAhead(step, at, to) || dot(to - position, homeNormalOf(step.instances, end)) >= 0 || !step.allInRange(to))
+      continue;
+    if (continuesPast(step, end, at, from, to) && step.isFree(position, from) && step.mayBeAt(from)) return from;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-bool isBlockedByEnd(const Slide& slide, const LegHit& hit, PrecisePoint place, PrecisePoint remaining) {
+bool isBlockedByEnd(const StepState& step, const LegHit& hit, PrecisePoint at, PrecisePoint remaining) {
   if (hit.hit.side != Hit::Side::kSegmentEnd) return false;
-  const int128 before = slide.contact ? squaredSlide(slide, *slide.contact) : squared(slide.remaining);
-  if (1024 * squaredSlide(slide, hit) >= before) return false;
-  const EdgeSlide along = slide.slideFrom(hit, place, remaining);
+  const int128 before = step.contact ? squaredSlide(step, *step.contact) : squared(step.remaining);
+  if (1024 * squaredSlide(step, hit) >= before) return false;
+  const EdgeSlide along = slideFrom(step, hit, at, remaining);
   return !along.cut || along.share > Fraction{1, 32};
 }
 
-std::optional<Nudge> findNudge(Mover& mover, const Slide& slide, const LegHit& hit, Point normal, PrecisePoint from,
+std::optional<Nudge> findNudge(StepState& step, const LegHit& hit, Point normal, PrecisePoint at,
                                PrecisePoint remaining) {
-  EndPassage passage(mover, slide.tick, hit, from);
-  if (!passage.touchesEnd()) return std::nullopt;
-  const bool straight = normal == passage.normal();
+  LegHit end = hit;
+  if (!touchesEnd(step, end, at)) return std::nullopt;
+  const bool straight = normal == homeNormalOf(step.instances, end);
   const PrecisePoint onwards = straight ? remaining : alongEdge(normal, remaining);
-  const Point reached = mover.roundedAt(from);
+  const Point reached = step.roundedAt(at);
   const Point target = reached + rounded(onwards);
-  if (target == reached || !mover.allInRange(target)) return std::nullopt;
-  const auto to = passage.nudge(reached, target);
+  if (target == reached || !step.allInRange(target)) return std::nullopt;
+  const auto to = nudged(step, end, at, reached, target);
   return to ? std::optional(Nudge{*to, target - reached}) : std::nullopt;
 }
 

@@ -13,7 +13,7 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "shared/physics/step/entity_step.h"
+#include "shared/physics/step/step_state.h"
 #include "tests/shared/game/real_face.h"
 #include "tests/shared/physics/step/leg_checker.h"
 #include "tests/sim/seeded_random.h"
@@ -251,7 +251,7 @@ void fling(SolidKind kind, const Fling& how) {
   // The observer is called up to four times per leg: for inserted instances, the move, a rehome and removed instances.
   // A rotation close to segments is divided into many parts, with a call for each.
   EXPECT_GT(largest, 0u) << nameOf(kind) << ": no leg was observed";
-  EXPECT_LE(largest, 16u * EntityStep::kMaxLegs) << nameOf(kind);
+  EXPECT_LE(largest, 16u * StepLimits::kMaxLegs) << nameOf(kind);
   if (how.lines == 0) {
     EXPECT_EQ(std::count(visited.begin(), visited.end(), false), 0) << nameOf(kind) << ": some face was not visited";
   }

@@ -189,7 +189,7 @@ TEST(SlideRoomTest, IsTheDistanceToTheEndAhead) {
 
 TEST(SlideOnTest, KeepsTheComponentAlongTheEdge) {
   const ObstacleEdge edge = edgeOf(kSquare, kFloor, kTop);
-  const EdgeSlide slide = slideOn(edge, {0, 10 * kOne}, {7 * kOne + 1, -3 * kOne});
+  const EdgeSlide slide = slideAlong(edge, {0, 10 * kOne}, {7 * kOne + 1, -3 * kOne});
   EXPECT_EQ(slide.displacement, (PrecisePoint{7 * kOne + 1, 0}));
   EXPECT_EQ(slide.share, (Fraction{1, 1}));
   EXPECT_FALSE(slide.cut);
@@ -199,7 +199,7 @@ TEST(SlideOnTest, KeepsTheComponentAlongTheEdge) {
 TEST(SlideOnTest, EndsWithTheEdge) {
   const ObstacleEdge edge = edgeOf(kSquare, kFloor, kTop);
   for (const int sign : {1, -1}) {  // the edge goes from -110 to 110
-    const EdgeSlide slide = slideOn(edge, {sign * 100 * kOne, 10 * kOne}, {sign * 40 * kOne, -9 * kOne});
+    const EdgeSlide slide = slideAlong(edge, {sign * 100 * kOne, 10 * kOne}, {sign * 40 * kOne, -9 * kOne});
     EXPECT_EQ(slide.displacement, (PrecisePoint{sign * 10 * kOne, 0}));
     EXPECT_EQ(slide.share, (Fraction{1, 4}));
     EXPECT_TRUE(slide.cut);
@@ -207,7 +207,7 @@ TEST(SlideOnTest, EndsWithTheEdge) {
 }
 
 TEST(SlideOnTest, GoesNowhereBeyondTheEnd) {
-  const EdgeSlide slide = slideOn(edgeOf(kSquare, kFloor, kTop), {115 * kOne, 10 * kOne}, {kOne, -kOne});
+  const EdgeSlide slide = slideAlong(edgeOf(kSquare, kFloor, kTop), {115 * kOne, 10 * kOne}, {kOne, -kOne});
   EXPECT_TRUE(slide.cut);
   EXPECT_EQ(slide.displacement, PrecisePoint());
   EXPECT_EQ(slide.share, (Fraction{0, 1}));

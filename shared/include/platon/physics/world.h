@@ -15,9 +15,9 @@
 
 namespace platon {
 
-class EntityStep;
 struct EntityCache;
 class StepScratch;
+struct StepState;
 struct WorldLink;
 
 /// The saved state of a world. Together with the geometry, the shapes and the rules it determines all later states.
@@ -186,7 +186,7 @@ class World {
   static void promoteFirst(Placed& placed);
   const char* insertInto(Placed& placed, std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   std::uint16_t place(Placed& placed, std::uint32_t part, Point origin, Angle angle) const;
-  bool insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted);
+  bool insertReached(std::uint32_t entity, Placed& placed, std::uint16_t inserted);
   void replace(std::uint32_t entity, const Placed& placed);
   void replaceSilently(std::uint32_t entity, const Placed& placed);
   void requireNotMoved(const StepScratch& scratch) const;
@@ -194,7 +194,7 @@ class World {
   void moveAll(StepObserver* observer);
   void move(std::uint32_t entity, std::span<const InstanceState> further, StepObserver* observer);
   EntityCache& load(std::uint32_t entity, const EntityState& state, std::span<const InstanceState> further);
-  EntityStep beginStep(std::uint32_t entity, EntityState& state, StepObserver* observer);
+  StepState beginStep(std::uint32_t entity, EntityState& state, StepObserver* observer);
   void deliverEvents();
 
   std::shared_ptr<const Geometry> geometry_;

@@ -1,11 +1,11 @@
-#include "shared/physics/step/follow.h"
-
+// The position follows the ideal place.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
+#include "shared/physics/step/stages.h"
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/step_parts.h"
@@ -13,41 +13,41 @@
 namespace platon::follow_test {
 namespace {
 
-class FollowAimTest : public StepParts {
+class FollowPlaceTest : public StepParts {
  protected:
   // Follows an ideal place `x`, `y` quarters of a subunit from the position.
   bool followTo(std::int64_t x, std::int64_t y) {
     constexpr std::int64_t kQuarter = PrecisePoint::kOne / 4;
-    const PrecisePoint end = precise(mover().position()) + PrecisePoint{x * kQuarter, y * kQuarter};
+    const PrecisePoint end = precise(step().position()) + PrecisePoint{x * kQuarter, y * kQuarter};
     return followTo(end);
   }
   bool followTo(PrecisePoint end) {
-    Leg leg{end - precise(mover().position())};
-    prepareLeg(leg, mover(), precise(mover().position()), nullptr, refused_);
-    return follow(mover(), {end, nullptr, {PrecisePoint::kOne, 0}});
+    step().tick = {PrecisePoint::kOne, 0};
+    findLeg(step(), {end - precise(step().position())});
+    return follow(step(), end, nullptr);
   }
 };
 
-TEST_F(FollowAimTest, MovesToTheNearestLatticePoint) {
+TEST_F(FollowPlaceTest, MovesToTheNearestLatticePoint) {
   build({});
   ASSERT_TRUE(followTo(41, -7));
-  EXPECT_EQ(mover().position(), Point(10, -2));
-  EXPECT_EQ(mover().moves(), 1);
+  EXPECT_EQ(step().position(), Point(10, -2));
+  EXPECT_EQ(step().moves, 1);
 }
 
-TEST_F(FollowAimTest, OfPlacesEquallyNearTakesTheOneAhead) {
+TEST_F(FollowPlaceTest, OfPlacesEquallyNearTakesTheOneAhead) {
   build({});
   ASSERT_TRUE(followTo(6, 0));
-  EXPECT_EQ(mover().position(), Point(2, 0));
+  EXPECT_EQ(step().position(), Point(2, 0));
 }
 
 // A point is in the way of the straight move to the free place (40, 1); (40, 2) is too far away.
-TEST_F(FollowAimTest, TakesADetourWhereTheStraightWayIsBlocked) {
+TEST_F(FollowPlaceTest, TakesADetourWhereTheStraightWayIsBlocked) {
   build({{{30, -9}, {30, -9}}});
   constexpr std::int64_t kBeside = PrecisePoint::kOne * 3 / 8;
   ASSERT_TRUE(followTo(PrecisePoint{40 * PrecisePoint::kOne, kBeside}));
-  EXPECT_EQ(mover().position(), Point(40, 1));
-  EXPECT_EQ(mover().moves(), 2);
+  EXPECT_EQ(step().position(), Point(40, 1));
+  EXPECT_EQ(step().moves, 2);
 }
 
 // Segment 1 can be passed from the start only.
@@ -58,22 +58,22 @@ class FromTheStart : public Rules {
   }
 };
 
-TEST_F(FollowAimTest, ADetourAsksTheRulesBeforeItsSecondMove) {
+TEST_F(FollowPlaceTest, ADetourAsksTheRulesBeforeItsSecondMove) {
   build({{{30, -9}, {30, -9}}, {{20, -50}, {20, 50}}});
   FromTheStart rules;
-  collider_.begin(rules, Entity(world_, 0), instances_, regions_, work_);
+  begin(rules);
   EXPECT_FALSE(followTo(PrecisePoint{40 * PrecisePoint::kOne, PrecisePoint::kOne * 3 / 8}));
-  EXPECT_EQ(mover().moves(), 1);
-  EXPECT_LT(mover().position().x, 10);
+  EXPECT_EQ(step().moves, 1);
+  EXPECT_LT(step().position().x, 10);
 }
 
-TEST_F(FollowAimTest, MovesNothingWhereNoPlaceIsNear) {
+TEST_F(FollowPlaceTest, MovesNothingWhereNoPlaceIsNear) {
   build({{{30, -100}, {30, 100}}});
   EXPECT_FALSE(followTo(precise(Point(40, 0))));
-  EXPECT_EQ(mover().position(), Point());
-  EXPECT_TRUE(fallBack(mover(), precise(Point(40, 0))));
-  EXPECT_EQ(mover().position(), Point(20, 0)) << "as far as it can";
-  EXPECT_FALSE(fallBack(mover(), precise(Point(60, 0))));
+  EXPECT_EQ(step().position(), Point());
+  EXPECT_TRUE(fallBack(step(), precise(Point(40, 0))));
+  EXPECT_EQ(step().position(), Point(20, 0)) << "as far as it can";
+  EXPECT_FALSE(fallBack(step(), precise(Point(60, 0))));
 }
 
 // In rationals, the body stops at (1/2, 1/2). (0, 1) and (1, 1) are outside of the line and equally near.

@@ -1,10 +1,10 @@
-#include "shared/physics/step/free_flight.h"
-
+// The usual step: flyFreely.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 
 #include "platon/exact/integer.h"
+#include "shared/physics/step/entity_step.h"
 #include "shared/physics/tolerances.h"
 #include "tests/shared/physics/step/step_parts.h"
 #include "tests/shared/physics/torus.h"

@@ -1,6 +1,4 @@
 // Passing of segment ends: I3 on one face.
-#include "shared/physics/step/segment_ends.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

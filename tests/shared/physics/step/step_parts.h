@@ -2,22 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "shared/physics/step/leg.h"
-#include "shared/physics/step/mover.h"
-#include "shared/physics/step/step_contacts.h"
+#include "shared/physics/step/stages.h"
 #include "shared/physics/step/step_events.h"
+#include "shared/physics/step/step_state.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 
 namespace platon {
 
-/// The parts of a step of entity 0.
+/// A step of entity 0, and what it works on.
 class StepParts : public testing::Test {
  protected:
   /// A square of 20 by 20 at the origin of part 0, which has these segments.
@@ -34,10 +34,22 @@ class StepParts : public testing::Test {
   void start(StepObserver* observer = nullptr) {
     state_ = world_.entities()[0];
     instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), state_, world_.instancesOf(0));
-    collider_.begin(rules_, Entity(world_, 0), instances_, regions_, work_);
-    mover_.emplace(state_, instances_, collider_, contacts_, Mover::Watch{observer, 0, views_});
+    begin(rules_, observer);
   }
-  Mover& mover() { return *mover_; }
+  /// The same with other rules, from the present instances.
+  void begin(Rules& rules, StepObserver* observer = nullptr) {
+    collider_.begin(rules, Entity(world_, 0), instances_, regions_, work_);
+    step_.emplace(StepState{.id = {0, 0},
+                            .entity = state_,
+                            .instances = instances_,
+                            .collider = collider_,
+                            .buffers = buffers_,
+                            .events = events_,
+                            .observer = observer,
+                            .touched = touched_});
+    step_->observe();
+  }
+  StepState& step() { return *step_; }
 
   World world_;
   RecordedRules rules_;
@@ -48,13 +60,11 @@ class StepParts : public testing::Test {
   std::vector<Region> regions_;
   Region::Work work_;
   Collider collider_;
-  std::vector<StepContacts::Change> changes_;
-  std::vector<InstanceView> views_;
-  std::vector<Collider::WarpRef> refused_;
-  StepContacts contacts_{{0, 0}, instances_, collider_, events_, changes_};
+  StepBuffers buffers_;
+  std::uint32_t touched_ = Collider::kNoSegment;
 
  private:
-  std::optional<Mover> mover_;
+  std::optional<StepState> step_;
 };
 
 }  // namespace platon
