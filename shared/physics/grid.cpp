@@ -24,8 +24,10 @@ std::vector<std::int32_t> chooseBorders(std::vector<std::int32_t> coordinates, s
   return borders;
 }
 
-std::size_t bordersUpTo(const std::vector<std::int32_t>& borders, std::int64_t coordinate) {
-  return static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end(), coordinate) - borders.begin());
+// Number of borders that are at most `coordinate`, of which `known` are. Those of a box are few.
+std::size_t bordersUpTo(const std::vector<std::int32_t>& borders, std::int64_t coordinate, std::size_t known) {
+  while (known < borders.size() && borders[known] <= coordinate) ++known;
+  return known;
 }
 
 }  // namespace
@@ -78,8 +80,9 @@ bool Grid::build(std::span<const Segment> segments, std::size_t cellsPerAxis, st
 }
 
 Grid::CellRange Grid::cellsOf(const Box& box) const {
-  return {bordersBelow(columns_, box.low.x), bordersUpTo(columns_, box.high.x), bordersBelow(rows_, box.low.y),
-          bordersUpTo(rows_, box.high.y)};
+  const std::size_t column = bordersBelow(columns_, box.low.x);
+  const std::size_t row = bordersBelow(rows_, box.low.y);
+  return {column, bordersUpTo(columns_, box.high.x, column), row, bordersUpTo(rows_, box.high.y, row)};
 }
 
 template <class Append>

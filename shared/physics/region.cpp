@@ -61,9 +61,9 @@ void Region::refill(const MapGeometry& part, const Box& box, Work& work) {
   }
   work.segments.assign(segments_.begin(), segments_.end());
   segments_.assign(found.begin(), found.end());  // allocates no more than is needed
-  bounds_.resize(found.size());
-  std::transform(found.begin(), found.end(), bounds_.begin(),
-                 [&](std::uint32_t segment) { return boundsOf(part.segments[segment]); });
+  bounds_.clear();
+  bounds_.reserve(found.size());
+  for (const std::uint32_t segment : found) bounds_.push_back(boundsOf(part.segments[segment]));
   if (!isSamePart) work.segments.assign(work.segments.size(), kNoObstacle);
   keepDerived(work);
 }

@@ -65,10 +65,12 @@ bool isBetter(const StepState& step, const Aim& aim, Point offset, Point other) 
   return outwards != 0 ? outwards > 0 : distanceTo({beyond, 0}, step.tick) > 0;
 }
 
-// Tries the places in order of their exact distance from the ideal place.
-std::optional<Point> nearestReachable(StepState& step, const Aim& aim) {
+// Tries the places in order of their exact distance from the ideal place. The lattice point nearest to it may have been
+// tried before.
+std::optional<Point> nearestReachable(StepState& step, const Aim& aim, bool hasTriedNearest) {
+  static_assert(kPlaces.front() == Point());
   const Point nearest = step.roundedAt(aim.end);
-  std::array<bool, kPlaces.size()> tried{};
+  std::array<bool, kPlaces.size()> tried{hasTriedNearest};
   for (;;) {
     std::optional<std::size_t> best;
     std::int64_t distance = 0;
@@ -119,8 +121,8 @@ bool followByDetour(StepState& step, const Aim& aim) {
 
 // The work of `follow` where the lattice point nearest to the ideal place is not reachable, or is not the only nearest
 // one.
-bool followFarther(StepState& step, const Aim& aim) {
-  const auto place = nearestReachable(step, aim);
+bool followFarther(StepState& step, const Aim& aim, bool hasTriedNearest) {
+  const auto place = nearestReachable(step, aim, hasTriedNearest);
   const bool isNear = place && squaredDistance(*place, aim.end) <= kSquaredNear;
   const Point start = step.position();
   if (!isNear && followByDetour(step, aim)) return true;
@@ -135,7 +137,8 @@ bool follow(StepState& step, PrecisePoint end, const LegHit* hit) {
   const Aim aim{end, hit};
   const Point nearest = step.roundedAt(aim.end);
   const bool isNearestAlone = maxNorm(aim.end - precise(nearest)) < PrecisePoint::kOne / 2;
-  if (!isNearestAlone || !mayStandAt(step, aim, nearest) || !step.isReachable(nearest)) return followFarther(step, aim);
+  const bool triesNearest = isNearestAlone && mayStandAt(step, aim, nearest);
+  if (!triesNearest || !step.isReachable(nearest)) return followFarther(step, aim, triesNearest);
   step.moveTo(nearest);
   return true;
 }
