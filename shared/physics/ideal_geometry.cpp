@@ -213,28 +213,29 @@ std::optional<IdealEntry> clipIdeal(const Convex& shape, const Segment& segment,
 std::optional<std::size_t> touchedEdge(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                        PrecisePoint displacement) {
   std::optional<std::size_t> touched;
-  for (const std::size_t index : obstacle.relevantHalfPlanes(positions)) {
+  const bool isAlone = obstacle.visitRelevant(positions, [&](std::size_t index) {
     const Obstacle::HalfPlane half = obstacle.halfPlane(index);
     const int128 start = distanceTo(half, from);
-    if (start < -int128{half.oneNorm()} * PrecisePoint::kOne) continue;
+    if (start < -int128{half.oneNorm()} * PrecisePoint::kOne) return true;
     const int128 tolerance = int128{Tolerances::kOnEdge} * half.oneNorm();
     const bool isOn = start >= -tolerance && start <= tolerance;
     const bool isOther = touched && cross(obstacle.halfPlane(*touched).normal, half.normal) != 0;
-    if (isOther || !isOn || start + dotPrecise(half.normal, displacement) >= -tolerance) return std::nullopt;
+    if (isOther || !isOn || start + dotPrecise(half.normal, displacement) >= -tolerance) return false;
     if (!touched) touched = index;
-  }
-  return touched;
+    return true;
+  });
+  return isAlone ? touched : std::nullopt;
 }
 
 std::optional<IdealEntry> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                     PrecisePoint displacement) {
   IdealClip clip(obstacle.sideCount(), from, displacement);
-  for (const std::size_t index : obstacle.relevantHalfPlanes(positions)) {
-    if (clip.intersect(index, obstacle.halfPlane(index))) continue;
+  const bool mayEnter = obstacle.visitRelevant(positions, [&](std::size_t index) {
+    if (clip.intersect(index, obstacle.halfPlane(index))) return true;
     obstacle.setSeparatingHint(index);
-    return std::nullopt;
-  }
-  return resultOf(clip, obstacle.shape(), obstacle.segment());
+    return false;
+  });
+  return mayEnter ? resultOf(clip, obstacle.shape(), obstacle.segment()) : std::nullopt;
 }
 
 ObstacleEdge edgeOf(const Convex& shape, const Segment& segment, const Obstacle::HalfPlane& half) {

@@ -42,7 +42,7 @@ void Obstacle::build(const Convex& shape, const Segment& segment) {
   segment_ = segment;
   separatingHint_ = 0;
   relevantBox_ = kEmptyBox;
-  relevant_.reserve(halfPlaneCount());
+  groupSize_ = static_cast<std::uint32_t>((halfPlaneCount() + 63) / 64);
   if (sideCount() == 0) return;
   sides_ = sideHalfPlanes(shape, segment);
   for (std::size_t side = 0; side < 2; ++side) features_[side] = sideFeature(shape, sides_[side].normal);
@@ -52,12 +52,16 @@ void Obstacle::build(const Convex& shape, const Segment& segment) {
 // 2^30 + 2^28, so the distance is below 2^63.
 void Obstacle::findRelevant(const Box& positions) {
   relevantBox_ = positions.grown(relevantMargin(shape_->bounds()));
-  relevant_.clear();
-  for (std::uint32_t i = 0; i < halfPlaneCount(); ++i) {
-    const HalfPlane half = halfPlane(i);
-    const Point farthest{half.normal.x > 0 ? relevantBox_.high.x : relevantBox_.low.x,
-                         half.normal.y > 0 ? relevantBox_.high.y : relevantBox_.low.y};
-    if (dot(half.normal, farthest) + half.offset >= 0) relevant_.push_back(i);
+  relevantGroups_ = 0;
+  const std::size_t count = halfPlaneCount();
+  std::uint64_t group = 1;
+  for (std::size_t i = 0; i < count; group <<= 1) {
+    for (const std::size_t end = std::min(i + groupSize_, count); i < end; ++i) {
+      const HalfPlane half = halfPlane(i);
+      const Point farthest{half.normal.x > 0 ? relevantBox_.high.x : relevantBox_.low.x,
+                           half.normal.y > 0 ? relevantBox_.high.y : relevantBox_.low.y};
+      if (dot(half.normal, farthest) + half.offset >= 0) relevantGroups_ |= group;
+    }
   }
 }
 

@@ -91,12 +91,12 @@ std::optional<Hit> Sweep::against(Obstacle& obstacle) const {
 
 std::optional<Sweep::ClipInterval> Sweep::clipToHalfPlanes(Obstacle& obstacle) const {
   ClipInterval interval;
-  for (const std::size_t i : obstacle.relevantHalfPlanes(path_)) {
-    if (intersect(interval, endDistancesTo(obstacle.halfPlane(i)), i)) continue;
+  const bool mayOverlap = obstacle.visitRelevant(path_, [&](std::size_t i) {
+    if (intersect(interval, endDistancesTo(obstacle.halfPlane(i)), i)) return true;
     obstacle.setSeparatingHint(i);
-    return std::nullopt;
-  }
-  if (isEmpty(interval)) return std::nullopt;
+    return false;
+  });
+  if (!mayOverlap || isEmpty(interval)) return std::nullopt;
   return interval;
 }
 

@@ -34,9 +34,10 @@ IDEAL_FAULTS = [
               "a path that starts inside enters through the farthest edge",
               "ClipIdealTest.APathThatStartsInsideEntersThroughTheNearestEdgeUnlessItLeavesThroughIt"),
     at_length("nearest-of-those-that-are-kept", PHYSICS + "ideal_geometry.cpp",
-              "return resultOf(clip, obstacle.shape(), obstacle.segment());",
-              "for (const auto i : obstacle.relevantHalfPlanes(positions))\n"
-              "    if (clip.startsInside()) clip.findNearest(i, obstacle.halfPlane(i));\n  return clip.result();",
+              "return mayEnter ? resultOf(clip, obstacle.shape(), obstacle.segment()) : std::nullopt;",
+              "if (mayEnter && clip.startsInside())\n    obstacle.visitRelevant(positions, [&](std::size_t i) {\n"
+              "      clip.findNearest(i, obstacle.halfPlane(i));\n      return true;\n    });\n"
+              "  return mayEnter ? clip.result() : std::nullopt;",
               "the way out of an obstacle depends on what is kept of it",
               "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
     Fault("sides-come-second", PHYSICS + "ideal_geometry.cpp",

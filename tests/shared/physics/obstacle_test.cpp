@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "platon/physics/sweep.h"
 #include "tests/shared/physics/shapes.h"
@@ -21,31 +23,36 @@ bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
 }
 
 // The caches of an obstacle must not influence any result.
-TEST(ObstacleTest, CachedQueriesEqualFreshQueries) {
+void expectCachedQueriesEqualFreshOnes(int edges, std::int32_t scale) {
   sim::SeededRandom random(kSeed);
-  const Convex shape = regular(8, 1000);
+  const Convex shape = regular(edges, 1000 * scale);
   Sweep sweep;
   int met = 0;
   for (int round = 0; round < 200; ++round) {
-    const Point a = random.vector(1500);
-    const Segment line{a, round % 10 == 0 ? a : a + random.vector(3000)};
+    const Point a = random.vector(1500 * scale);
+    const Segment line{a, round % 10 == 0 ? a : a + random.vector(3000 * scale)};
     Obstacle obstacle;
     obstacle.build(shape, line);
-    Point at = random.vector(4000);
+    Point at = random.vector(4000 * scale);
     for (int step = 0; step < 200; ++step) {
-      const Point way = step % 5 == 0 ? Point() : random.vector(step % 7 == 0 ? 5000 : 300);
+      const Point way = step % 5 == 0 ? Point() : random.vector((step % 7 == 0 ? 5000 : 300) * scale);
       sweep.start(shape, at, way, step % 3 == 0 ? 4 : 0);
       const auto expected = sweep.against(line);
       if (!sweep.misses(boundsOf(line))) {
         ASSERT_TRUE(same(sweep.against(obstacle), expected))
-            << "seed " << kSeed << ", round " << round << ", step " << step;
+            << edges << " edges, seed " << kSeed << ", round " << round << ", step " << step;
       }
       met += expected.has_value();
-      at = squaredLength(at + way) < 36'000'000 ? at + way : Point();
+      at = squaredLength(at + way) < std::int64_t{36'000'000} * scale * scale ? at + way : Point();
     }
   }
   EXPECT_GT(met, 4000);
 }
+
+TEST(ObstacleTest, CachedQueriesEqualFreshQueries) { expectCachedQueriesEqualFreshOnes(8, 1); }
+
+// More half planes than there are groups of them.
+TEST(ObstacleTest, CachedQueriesOfAShapeWithManyEdgesEqualFreshQueries) { expectCachedQueriesEqualFreshOnes(200, 100); }
 
 TEST(ObstacleTest, OtherHalfPlanesContainTheBox) {
   sim::SeededRandom random(kSeed);
@@ -58,8 +65,13 @@ TEST(ObstacleTest, OtherHalfPlanesContainTheBox) {
     const auto width = static_cast<std::int32_t>(random.below(600));
     const auto height = static_cast<std::int32_t>(random.below(600));
     const Box way{low, low + Point(width, height)};
-    const auto boundaries = obstacle.relevantHalfPlanes(way);
-    for (std::uint32_t j = 0; j < obstacle.halfPlaneCount(); ++j) {
+    std::vector<std::size_t> boundaries;
+    obstacle.visitRelevant(way, [&](std::size_t index) {
+      boundaries.push_back(index);
+      return true;
+    });
+    ASSERT_TRUE(std::is_sorted(boundaries.begin(), boundaries.end()));
+    for (std::size_t j = 0; j < obstacle.halfPlaneCount(); ++j) {
       if (std::find(boundaries.begin(), boundaries.end(), j) != boundaries.end()) continue;
       const Obstacle::HalfPlane half = obstacle.halfPlane(j);
       for (const Point corner : {way.low, way.high, Point(way.low.x, way.high.y), Point(way.high.x, way.low.y)}) {

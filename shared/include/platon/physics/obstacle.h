@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <span>
-#include <vector>
 
 #include "platon/physics/convex.h"
 #include "platon/physics/segment.h"
@@ -45,7 +44,7 @@ class Obstacle {
 
   /// Computes the obstacle of `segment` for `shape`. The shape must outlive the obstacle's use.
   void build(const Convex& shape, const Segment& segment);
-  /// Makes the obstacle empty and keeps its memory.
+  /// Makes the obstacle empty.
   void reset() { shape_ = nullptr; }
   /// Whether the obstacle was built for this shape object.
   bool belongsTo(const Convex& shape) const { return shape_ == &shape; }
@@ -66,11 +65,21 @@ class Obstacle {
   HalfPlane separatingHalfPlane() const { return halfPlane(separatingHint_); }
   void setSeparatingHint(std::size_t index) { separatingHint_ = static_cast<std::uint32_t>(index); }
 
-  /// Indices, ascending, of all half planes that do not contain the whole box `positions`. May include others. Cached
-  /// for a larger box, so that consecutive steps of an entity do not recompute it.
-  std::span<const std::uint32_t> relevantHalfPlanes(const Box& positions) {
+  /// Visits the indices, in ascending order, of all half planes that do not contain the whole box `positions`, until
+  /// visit(index) returns false. Returns whether it never did. May visit others, and does so where a shape has more
+  /// than 62 edges. What is relevant is cached for a larger box, so that consecutive steps of an entity do not
+  /// recompute it.
+  template <class Visit>
+  bool visitRelevant(const Box& positions, Visit&& visit) {
     if (!relevantBox_.contains(positions)) findRelevant(positions);
-    return relevant_;
+    for (std::uint64_t groups = relevantGroups_; groups != 0; groups &= groups - 1) {
+      std::size_t index = static_cast<std::size_t>(std::countr_zero(groups)) * groupSize_;
+      const std::size_t end = groupSize_ == 1 ? index : std::min(index + groupSize_, halfPlaneCount()) - 1;
+      do {
+        if (!visit(index)) return false;
+      } while (index++ != end);
+    }
+    return true;
   }
   /// The vertex of the shape that touches side 0 or 1.
   Point sideFeature(std::size_t side) const { return features_[side]; }
@@ -83,7 +92,8 @@ class Obstacle {
   std::array<HalfPlane, 2> sides_{};
   std::array<Point, 2> features_;
   Box relevantBox_;
-  std::vector<std::uint32_t> relevant_;
+  std::uint64_t relevantGroups_ = 0;  // groups of successive half planes, a bit each
+  std::uint32_t groupSize_ = 1;
   std::uint32_t separatingHint_ = 0;
 };
 
