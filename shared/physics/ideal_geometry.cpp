@@ -189,7 +189,7 @@ int128 distanceTo(const Obstacle::HalfPlane& half, PrecisePoint point) {
 }
 
 Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std::size_t wanted) {
-  Obstacle::HalfPlane found;
+  Obstacle::HalfPlane found{};
   visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
     if (index == wanted) found = half;
     return index != wanted;
