@@ -11,6 +11,7 @@ PATH_ENGINES = ("platon", IDEAL_PLACE, *ENGINES[1:])
 # The scene in which whole steps are compared.
 BODIES = 64
 SEGMENTS = 10000
+MANY_BODIES = 10000
 RANDOM, PLATFORMER = "random", "platformer"
 
 # An engine is jammed in a row if its bodies are jammed in more than this share of the half seconds.

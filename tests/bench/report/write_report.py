@@ -17,7 +17,7 @@ from prose import (AIMED, BOX2D_3, COMPARED, DERIVED, ENGINES_USED, HARD_CASES, 
                    PLATFORMER_STEPS, RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, TRAJECTORY, jam_lines, memory_of_rests, verdicts)  # fmt: skip
 from report_data import (BODIES, ENGINES, IDEAL_PLACE, PATH_ENGINES, PLATFORMER, RANDOM, SEGMENTS, STEP_ENGINES, ReportData, count,
                          is_jammed)  # fmt: skip
-from targets import target_rows
+from targets import missed_lines, target_rows
 
 PICTURES = "docs/pictures"
 
@@ -208,11 +208,13 @@ def used_engines(data):
 def document(report):
     data = ReportData(report)
     told, *first_table = opening(data)
-    held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in target_rows(data)]
+    targets = list(target_rows(data))
+    held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in targets]
+    missed = "\n".join(f"- {line}" for line in missed_lines(targets)) or "No aim is missed for a reason that is known."
     sections = {
         "Results": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
         "Platon against each engine": comparison_tables(data),
-        "Aims": [AIMED, table(["what", "aim", "measured", "holds"], held)],
+        "Aims": [AIMED, table(["what", "aim", "measured", "holds"], held), missed],
         "How each engine is used": used_engines(data),
         "Sweeps": sweep_tables(data),
         "Whole steps": step_tables(data),

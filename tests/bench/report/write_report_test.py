@@ -52,6 +52,13 @@ class WriteReportTest(unittest.TestCase):
         report["snapshot"]["hashNs"] = 399
         self.assertRegex(write_report.document(report), r"\| hash of 64 players \| ≤ 400 ns \| .* \| yes \|")
 
+    def test_a_missed_aim_has_its_reason(self):
+        report = copy.deepcopy(self.measured)
+        for nanoseconds in (100, 1000):
+            for row in report["advance"]:
+                row["nsPerPlayerTick"] = nanoseconds
+            self.assertEqual("A player near an edge has several instances" in write_report.document(report), nanoseconds == 1000)
+
     def test_a_peer_that_jammed_is_named_beside_its_time(self):
         report = copy.deepcopy(self.measured)
         for row in report["step"]:

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,6 +18,9 @@ namespace platon::bench {
 namespace {
 
 constexpr std::size_t kPlatformerBodies = 64;
+// More than fit into the caches of a processor.
+constexpr std::size_t kManyBodies = 10000;
+constexpr std::size_t kSegmentsOfMany = 10000;
 
 std::vector<EngineKind> stepKinds(const Effort& effort) {
   std::vector<EngineKind> kinds = engineKinds();
@@ -61,13 +65,14 @@ class Row {
 };
 
 // All scenes with this number of bodies are measured alternately, because their costs are compared.
-std::vector<StepResult> benchScenes(const StepScenes& scenes, std::size_t bodies, const Effort& effort) {
+std::vector<StepResult> benchScenes(const StepScenes& scenes, const std::vector<std::size_t>& sizes, std::size_t bodies,
+                                    const Effort& effort) {
   const std::int64_t steps =
       std::max<std::int64_t>(kStepsOfOneVelocity, 60000 / static_cast<std::int64_t>(bodies) / effort.divisor);
   std::vector<std::unique_ptr<Row>> rows;
   std::vector<std::function<double()>> passes;
   std::vector<StepResult> results;
-  for (const std::size_t segments : {100u, 1000u, 10000u, 100000u}) {
+  for (const std::size_t segments : sizes) {
     if (segments > effort.maxSegments) break;
     const auto scene = std::make_shared<const Scene>(scenes.make(segments, bodies));
     for (const EngineKind& kind : stepKinds(effort)) {
@@ -88,15 +93,16 @@ std::vector<StepResult> benchScenes(const StepScenes& scenes, std::size_t bodies
 }  // namespace
 
 std::vector<StepResult> benchSteps(const Effort& effort) {
+  const std::vector<std::size_t> sizes{100, 1000, 10000, 100000};
   std::vector<StepResult> results;
-  for (const std::size_t bodies : {1u, 64u, 1000u}) {
-    for (StepResult& result : benchScenes(randomScenes(), bodies, effort)) results.push_back(std::move(result));
-  }
+  const auto add = [&](std::vector<StepResult> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(results));
+  };
+  for (const std::size_t bodies : {1u, 64u, 1000u}) add(benchScenes(randomScenes(), sizes, bodies, effort));
+  add(benchScenes(randomScenes(), {kSegmentsOfMany}, kManyBodies, effort));
   std::stable_sort(results.begin(), results.end(),
                    [](const StepResult& a, const StepResult& b) { return a.segments < b.segments; });
-  for (StepResult& result : benchScenes(platformerScenes(), kPlatformerBodies, effort)) {
-    results.push_back(std::move(result));
-  }
+  add(benchScenes(platformerScenes(), sizes, kPlatformerBodies, effort));
   return results;
 }
 
