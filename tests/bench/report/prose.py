@@ -28,17 +28,20 @@ level unit has 1 024 subunits; the player's radius is 12 units, so 0.75 m."""
 
 AIMED = "Bounds in nanoseconds are for a quiet core of a current server processor; ratios are of this run."
 
+MISSED_HEAD = "Why aims are missed, and what was tried:"
+
 # By a part of the name of an aim: why it is missed, and what was tried.
 MISSED = {
-    "joints-1-mm": "An end that protrudes by more than 7 subunits stops the body for good reason: a larger nudge would lift it "
+    "joints-1-mm": "Joints: an end that protrudes by more than 7 subunits stops the body for good reason: a larger nudge would lift it "
                    "visibly. The loss of such a stop falls into two steps here, into one with float64.",
-    "segments, relative to float64": "Most of the difference is in slides: each takes products of 128 bits and proves every move of the "
+    "a sweep, hard": "Sweeps: where a path crosses many half planes, the times of the crossings are compared in 128 bits.",
+    "segments, relative to float64": "Steps: most of the difference is in slides: each takes products of 128 bits and proves every move of the "
                                      "position, which float64 does not. What helped is in: a step that meets nothing ends early, a slide "
                                      "begins with the segment of the last step. Tried without effect: 64-bit tests before those with 128, "
                                      "instructions of x86-64-v3. Regions twice as large are faster here, but slower in a platformer.",
-    "with 10 000 bodies": "Their caches do not fit into those of the processor. Fetching those of the next bodies in advance "
+    "with 10 000 bodies": "Many bodies: their caches do not fit into those of the processor. Fetching those of the next bodies in advance "
                           "helped little, and cost more with fewer bodies.",
-    "`Game::advance`": "A player near an edge has several instances, each with its own segments near by, and the rules of the game come "
+    "`Game::advance`": "`Game::advance`: a player near an edge has several instances, each with its own segments near by, and the rules of the game come "
                        "on top of the step.",
 }
 

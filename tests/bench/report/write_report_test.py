@@ -57,7 +57,7 @@ class WriteReportTest(unittest.TestCase):
         for nanoseconds in (100, 1000):
             for row in report["advance"]:
                 row["nsPerPlayerTick"] = nanoseconds
-            self.assertEqual("A player near an edge has several instances" in write_report.document(report), nanoseconds == 1000)
+            self.assertEqual("a player near an edge has several instances" in write_report.document(report), nanoseconds == 1000)
 
     def test_a_peer_that_jammed_is_named_beside_its_time(self):
         report = copy.deepcopy(self.measured)
