@@ -68,9 +68,9 @@ struct Nudge {
   Point to;       ///< the position beside the end, to which the straight way is free
   Point onwards;  ///< the displacement from there that leads past the end
 };
-/// `step` is as before the leg. Whether an end, hit at the ideal place `at` with `remaining` left of the displacement,
-/// stops the ideal place or leaves it less than 1/32 of its speed. Otherwise it slides along the end, as it does if the
-/// end is past in 1/32 of the remaining time.
+/// Whether an end, hit at the ideal place `at` with `remaining` left of the displacement, stops the ideal place or
+/// leaves it less than 1/32 of its speed. Otherwise it slides along the end, as it does if the end is past in 1/32 of
+/// the remaining time. `step` is as it was before the leg.
 bool isBlockedByEnd(const StepState& step, const LegHit& hit, PrecisePoint at, PrecisePoint remaining);
 /// The way past the segment end that `hit` touches, from an edge with this normal in the home frame, on which the ideal
 /// place is at `at` and slides with `remaining` left of the displacement. Where the normal is that of the end itself,
@@ -86,9 +86,9 @@ bool follow(StepState& step, PrecisePoint end, const LegHit* hit);
 /// Moves the position towards `end` as far as the lattice allows. Returns whether it moved.
 bool fallBack(StepState& step, PrecisePoint end);
 
-/// The events of the step, in order of time. The contacts with pierced segments follow
-/// from what the entity overlaps: Collider::overlapped is compared with it after every move, rotation and removal of an
-/// instance. So they begin and end alternately.
+/// The events of the step, in order of time. The contacts with pierced segments follow from what the entity overlaps:
+/// Collider::overlapped is compared with it after every move, rotation and removal of an instance. So they begin and
+/// end alternately.
 
 /// Lets all instances but `except` pass what they overlap, until they have left it.
 void pierceOverlapped(StepState& step, std::uint16_t except = InstanceState::kNoParent);
