@@ -38,6 +38,11 @@ class Versions(unittest.TestCase):
         description = found("deploy/desktop/invalid.platon.platon.metainfo.xml", r'<releases>\s*<release version="(.*)" date="(.*)"/>')
         self.assertEqual(description, (self.version, self.date))
 
+    def test_each_package_is_newer_than_the_one_before(self):
+        entries = re.findall(r"(?m)^ -- .*>  (.*)$", (ROOT / "deploy/debian/changelog").read_text(encoding="utf-8"))
+        times = [datetime.strptime(entry, "%a, %d %b %Y %H:%M:%S %z") for entry in entries]
+        self.assertEqual(times, sorted(set(times), reverse=True), "lintian refuses packages of the same time")
+
     def test_the_library_is_looked_for_in_this_version(self):
         minor = self.version.rpartition(".")[0]
         for file in ("docs/physics.md", "shared/examples/CMakeLists.txt"):
