@@ -221,7 +221,7 @@ STEP_FAULTS = [
           "an entity forgets its ideal place after every step",
           "RemainderTest.RotatedVelocitiesAreNotRounded"),
     Fault("remainder-lost-at-a-contact", PHYSICS + "step/entity_step.cpp",
-          "maxNorm(remainder) <= kRemainderLimit;", "maxNorm(remainder) <= kRemainderLimit && !slide_.contact;",
+          "maxNorm(remainder) <= kRemainderLimit;", "maxNorm(remainder) <= kRemainderLimit && !step.contact;",
           "a contact discards the remainder",
           "RestTest.RestsWhereTheIdealBodyDoes"),
     Fault("remainder-lost-at-home-passing", PHYSICS + "instances.cpp",
