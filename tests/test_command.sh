@@ -129,9 +129,17 @@ compare_machines() {
   exec python3 -B "$root/tests/determinism/machines/compare.py" "${arguments[@]}"
 }
 
+check_proof() {
+  [[ $# == 1 ]] || die 'test --proof checks the whole proof: give nothing with it' 2
+  need "$to_prove"
+  python3 -B "$root/tests/proof/check_proof_test.py" || exit 1
+  exec python3 -B "$root/tests/proof/check_proof.py" "$root"
+}
+
 run_tests() {
   local preset=release long=OFF lane='' seconds='' programs=() ctest_options=() configuration
   [[ " $* " != *' --machines '* ]] || compare_machines "$@"
+  [[ " $* " != *' --proof '* ]] || check_proof "$@"
   parse_test_options "$@"
   refuse_contradictions
   need "$to_test"

@@ -85,7 +85,7 @@ class Usage(Script):
 
     def test_help_names_every_option_of_test(self):
         output = self.run_platon("help")[1]
-        for option in ("--quick", "--all", "--release", "--fuzz", "--machines", "--long", "--debug", "--asan", "--tsan", "--clang"):
+        for option in ("--quick", "--all", "--release", "--fuzz", "--proof", "--machines", "--long", "--debug", "--asan", "--tsan", "--clang"):
             self.assertIn(option, output)
 
     def test_wrong_usage_is_refused(self):
@@ -183,6 +183,11 @@ class Tests(Script):
             self.assert_tests(arguments, self.CONFIGURE.replace("SECONDS=0", f"SECONDS={seconds}"),
                               self.CTEST + r" -L \^fuzz\$" + options)  # fmt: skip
 
+    def test_a_proof_needs_coq(self):
+        code, _, called = self.run_platon("test", "--proof", failing="coq")
+        self.assertEqual(code, 1)
+        self.assertIn("apt-get install -y --no-install-recommends coq", called)
+
     def test_wrong_options_are_refused(self):
         self.assert_refused(["test", "--lnog"], "test has no option '--lnog', nor has ctest; see ./platon help")
         self.assert_refused(["test", "-L"], "test: ctest's option -L needs a value")
@@ -192,6 +197,7 @@ class Tests(Script):
         self.assert_refused(["test", "--release", "--tsan"],
                             "test --release chooses the presets itself: name none with it")  # fmt: skip
         self.assert_refused(["test", "--asan", "--all"], "test --all chooses the presets itself: name none with it")
+        self.assert_refused(["test", "--proof", "-V"], "test --proof checks the whole proof: give nothing with it")
         self.assert_refused(["test", "--fuzz", "--debug"],
                             "test --fuzz builds with clang and sanitizers: name no preset with it")  # fmt: skip
 

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Checks the proof in shared/proof with coq: every file compiles, and no theorem rests on an assumption.
+
+usage: check_proof.py ROOT
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+LIBRARY = "Platon"
+# What would let something pass for proved.
+FORBIDDEN = r"\b(Axiom|Axioms|Parameter|Parameters|Hypothesis|Hypotheses|Variable|Variables|Conjecture|Admitted|admit|Abort|Context)\b"
+CLOSED = "Closed under the global context"
+
+
+class ProofError(Exception):
+    """A sentence about what is wrong."""
+
+
+def without_comments(text):
+    """The text with its comments, which may be nested, as spaces."""
+    kept, depth = [], 0
+    for part in re.split(r"(\(\*|\*\))", text):
+        depth += (part == "(*") - (part == "*)")
+        kept.append(re.sub(r"[^\n]", " ", part) if depth or part == "*)" else part)
+    return "".join(kept)
+
+
+def in_order(sources):
+    """The names of the files, each after those that it requires."""
+    needs = {name: re.findall(r"\w+", " ".join(re.findall(rf"From {LIBRARY} Require Import ([^.]*)\.", text))) for name, text in sources.items()}
+    done = []
+    while len(done) < len(needs):
+        ready = [name for name in sorted(needs) if name not in done and all(need in done for need in needs[name])]
+        if not ready:
+            raise ProofError(f"shared/proof: {', '.join(sorted(set(needs) - set(done)))}: these files require each other, or one that is missing")
+        done += ready
+    return done
+
+
+def coqc(folder, name):
+    result = subprocess.run(["coqc", "-R", ".", LIBRARY, f"{name}.v"], cwd=folder, capture_output=True, text=True, check=False)
+    if result.returncode:
+        raise ProofError(f"shared/proof/{name}.v does not hold:\n{result.stdout}{result.stderr}".rstrip())
+    return result.stdout
+
+
+def check(source, work):
+    """Returns the theorems as (file, name). Throws ProofError."""
+    sources = {path.stem: without_comments(path.read_text(encoding="utf-8")) for path in source.glob("*.v")}
+    for name, text in sources.items():
+        for number, line in enumerate(text.splitlines(), 1):
+            if found := re.search(FORBIDDEN, line):
+                raise ProofError(f"shared/proof/{name}.v:{number}: '{found[0]}' lets something unproved pass: prove it, or make it a premise")
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    order = in_order(sources)
+    for name in order:
+        shutil.copy(source / f"{name}.v", work)
+        coqc(work, name)
+    theorems = [(name, theorem) for name in order for theorem in re.findall(r"^Theorem (\w+)", sources[name], re.MULTILINE)]
+    asked = [f"From {LIBRARY} Require {' '.join(order)}."] + [f"Print Assumptions {name}.{theorem}." for name, theorem in theorems]
+    (work / "assumptions.v").write_text("\n".join(asked) + "\n", encoding="utf-8")
+    told = coqc(work, "assumptions")
+    if told.splitlines() != [CLOSED] * len(theorems):
+        raise ProofError(f"a theorem rests on an assumption:\n{told}".rstrip())
+    return theorems
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        sys.exit(__doc__)
+    root = Path(arguments[0])
+    try:
+        theorems = check(root / "shared/proof", root / "build/proof")
+    except ProofError as error:
+        sys.exit(str(error))
+    files = len({name for name, _ in theorems})
+    print(f"{len(theorems)} theorems in {files} files hold, and none rests on an assumption")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
