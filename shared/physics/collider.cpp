@@ -195,6 +195,7 @@ bool Collider::isNearLeg(Point place) const {
   const Point moved = place - leg_.from;
   if (maxNorm(moved) <= Tolerances::kBeside || maxNorm(place - leg_.to) <= Tolerances::kBeside) return true;
   const Point path = leg_.to - leg_.from;
+  if (path == Point()) return false;
   const std::int64_t along = dot(path, moved);
   const std::int64_t beside = std::abs(cross(path, moved));  // at least the distance times maxNorm(path)
   return along >= 0 && along <= squaredLength(path) && beside <= std::int64_t{Tolerances::kBeside} * maxNorm(path);

@@ -204,6 +204,17 @@ TEST_F(ColliderTest, FindsWarpsWithoutInstanceBehind) {
   EXPECT_TRUE(collider_.reachesWarp(instances_, {0, 0}, square(997), 4));
 }
 
+// Found by a proof: no place is beside a leg without length.
+TEST_F(ColliderTest, AMoveAwayFromALegWithoutLengthMeetsEverySegment) {
+  build({{{50, -100}, {50, 100}}});
+  collider_.startLeg(instances_, {0, 0});
+  std::optional<LegHit> hit;
+  collider_.firstIdeal(instances_, 0, {}, {}, hit);
+  EXPECT_FALSE(hit);
+  EXPECT_TRUE(collider_.isFreeInLeg(instances_, {40, 0}));
+  EXPECT_FALSE(collider_.isFreeInLeg(instances_, {41, 0}));
+}
+
 // The second part is rotated by 90° against the home part, and has a floor.
 class HitFrameTest : public ColliderTest {
  protected:

@@ -85,14 +85,12 @@ TEST(FollowTest, OfPlacesEquallyNearTheOuterOneIsTaken) {
 // The ideal path leads along y = x / 1024 through a corridor as wide as the square, where no lattice point is free. The
 // lattice path meets the end of the ceiling.
 TEST(FollowTest, WhereNoPlaceIsFreeTheBodyMovesAsFarAsItCan) {
-  for (const std::int32_t start : {-256, -24}) {
-    Scene scene({{{10, -10}, {1034, -9}}, {{-10, 10}, {1014, 11}}}, square(10), {start, 0});
-    WorldState state = scene.world.save();
-    state.entities[0].remainder = {0, -static_cast<std::int32_t>(PrecisePoint::kOne / 4)};
-    scene.world.restore(state);
-    EXPECT_EQ(scene.step({1024, 1}), Point(-20, 0));
-    EXPECT_EQ(scene.entity.state().remainder, Point()) << "the ideal place comes along, from " << start;
-  }
+  Scene scene({{{10, -10}, {1034, -9}}, {{-10, 10}, {1014, 11}}}, square(10), {-256, 0});
+  WorldState state = scene.world.save();
+  state.entities[0].remainder = {0, -static_cast<std::int32_t>(PrecisePoint::kOne / 4)};
+  scene.world.restore(state);
+  EXPECT_EQ(scene.step({1024, 1}), Point(-20, 0));
+  EXPECT_EQ(scene.entity.state().remainder, Point());
 }
 
 // The wedge is too narrow for the lattice 32 subunits above the place where the ideal body rests.
