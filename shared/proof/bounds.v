@@ -1,0 +1,129 @@
+(** Every intermediate result of a sweep fits the C++ type in which it stands: the bounds that
+    shared/include/platon/physics/sweep.h and obstacle.h state. *)
+From Coq Require Import ZArith List Lia.
+From Platon Require Import fraction sweep point obstacle collision.
+Import ListNotations.
+Open Scope Z_scope.
+
+Definition fits (bits z : Z) : Prop := - 2 ^ (bits - 1) <= z < 2 ^ (bits - 1).
+Definition below (bits z : Z) : Prop := - 2 ^ bits < z < 2 ^ bits.
+
+(** ** What is given *)
+
+(** Coordinates are below 2^29, and margins below 2^29, too; Tolerances::kNear is 12. *)
+Definition isPoint29 (p : Point) : Prop := below 29 (x p) /\ below 29 (y p).
+Definition isMargin (margin : Z) : Prop := 0 <= margin < 2 ^ 29.
+
+Lemma product m n u v : 0 <= m -> 0 <= n -> below m u -> below n v -> - 2 ^ (m + n) < u * v < 2 ^ (m + n).
+Proof.
+  unfold below. intros M N U V. rewrite Z.pow_add_r by assumption.
+  pose proof (Z.pow_pos_nonneg 2 m ltac:(lia) M). pose proof (Z.pow_pos_nonneg 2 n ltac:(lia) N).
+  set (p := 2 ^ m) in *. set (q := 2 ^ n) in *. clearbody p q. nia.
+Qed.
+
+Lemma product_of p q n v : 0 <= p -> 0 <= q -> below p n -> below q v -> below (p + q) (n * v).
+Proof. intros. apply product; assumption. Qed.
+
+Ltac powers := repeat match goal with
+  | |- context [2 ^ ?n] => let v := eval vm_compute in (2 ^ n) in change (2 ^ n) with v
+  | H : context [2 ^ ?n] |- _ => let v := eval vm_compute in (2 ^ n) in change (2 ^ n) with v in H
+  end.
+Ltac numbers := unfold isPoint29, isMargin, fits, below in *; powers; lia.
+
+(** ** The normals and offsets of half planes: Obstacle *)
+
+(** An edge of a shape or a segment, and so its normal, in int32. *)
+Theorem difference_fits p q : isPoint29 p -> isPoint29 q -> below 30 (x (minus p q)) /\ below 30 (y (minus p q)).
+Proof. unfold minus; cbn [x y]. numbers. Qed.
+
+Definition isNormal (n : Point) : Prop := below 30 (x n) /\ below 30 (y n).
+
+Theorem normal_fits p q : isPoint29 p -> isPoint29 q -> isNormal (perpendicular (minus p q)).
+Proof. unfold isNormal, perpendicular, minus; cbn [x y]. numbers. Qed.
+
+Theorem normal_in_int32 n : isNormal n -> fits 32 (x n) /\ fits 32 (y n).
+Proof. unfold isNormal, fits. numbers. Qed.
+
+(** dot(normal, point): both products and their sum, in int64. *)
+Theorem dot_fits n p : isNormal n -> isPoint29 p ->
+  below 59 (x n * x p) /\ below 59 (y n * y p) /\ below 60 (dot n p).
+Proof.
+  intros [A B] [C D]. pose proof (product_of 30 29 _ _ ltac:(lia) ltac:(lia) A C) as P.
+  pose proof (product_of 30 29 _ _ ltac:(lia) ltac:(lia) B D) as Q. split; [exact P | split; [exact Q |]].
+  unfold dot. clear A B C D. numbers.
+Qed.
+
+(** The half plane of an edge. *)
+Theorem edge_offset_fits s e : isNormal (inwards e) -> below 60 (support e) -> isPoint29 (a s) -> isPoint29 (b s) ->
+  below 60 (Z.max (dot (inwards e) (a s)) (dot (inwards e) (b s))) /\ below 61 (offset (edgeHalfPlane s e)).
+Proof.
+  intros N S A B. destruct (dot_fits _ _ N A) as (_ & _ & P). destruct (dot_fits _ _ N B) as (_ & _ & Q).
+  unfold edgeHalfPlane; cbn [offset]. clear N A B. split; numbers.
+Qed.
+
+Theorem support_fits ends : isPoint29 (fst ends) -> isPoint29 (snd ends) ->
+  isNormal (inwards (edgeOf ends)) /\ below 60 (support (edgeOf ends)).
+Proof.
+  intros P Q. pose proof (normal_fits _ _ Q P) as N. split; [exact N |].
+  unfold edgeOf; cbn [support]. apply (dot_fits _ _ N P).
+Qed.
+
+(** The half planes of the sides. *)
+Theorem side_offsets_fit vertices s : vertices <> [] -> (forall v, In v vertices -> isPoint29 v) ->
+  isPoint29 (a s) -> isPoint29 (b s) ->
+  forall h, In h (sideHalfPlanes vertices s) -> isNormal (normal h) /\ below 61 (offset h).
+Proof.
+  intros NE V A B h H. pose proof (normal_fits _ _ B A) as N. set (left := perpendicular (minus (b s) (a s))) in *.
+  destruct (lowest_spec left vertices NE) as [_ (low & L & EL)]. destruct (highest_spec left vertices NE) as [_ (high & G & EG)].
+  destruct (dot_fits left low N (V low L)) as (_ & _ & P). destruct (dot_fits left high N (V high G)) as (_ & _ & Q).
+  destruct (dot_fits left (a s) N A) as (_ & _ & R). unfold sideHalfPlanes in H. fold left in H. rewrite EL, EG in H.
+  destruct H as [<- | [<- | []]]; cbn [normal offset].
+  - split; [exact N |]. clear - P R. numbers.
+  - split; [unfold isNormal, opposite in *; cbn [x y]; clear - N; numbers |]. clear - Q R. numbers.
+Qed.
+
+(** ** The distances and times of a path: Sweep *)
+
+(** Obstacle::HalfPlane::oneNorm, in int32 *)
+Theorem one_norm_fits n : isNormal n -> 0 <= oneNorm n < 2 ^ 31.
+Proof. unfold isNormal, oneNorm. intros N. unfold below in N. powers. lia. Qed.
+
+(** The displacement between two positions, in int32; its product with a normal, in int64. *)
+Theorem displacement_product_fits n d : isNormal n -> below 30 (x d) /\ below 30 (y d) ->
+  below 60 (x n * x d) /\ below 60 (y n * y d) /\ below 61 (dot n d).
+Proof.
+  intros [A B] [C D]. pose proof (product_of 30 30 _ _ ltac:(lia) ltac:(lia) A C) as P.
+  pose proof (product_of 30 30 _ _ ltac:(lia) ltac:(lia) B D) as Q. split; [exact P | split; [exact Q |]].
+  unfold dot. clear A B C D. numbers.
+Qed.
+
+(** Sweep::endDistances, in int64: below 1.5 * 2^62 *)
+Theorem distances_fit h position displacement margin : isNormal (normal h) -> below 61 (offset h) -> isPoint29 position ->
+  below 30 (x displacement) /\ below 30 (y displacement) -> isMargin margin ->
+  let d := endDistancesTo position displacement margin h in
+  below 62 (dot (normal h) position + offset h) /\ 0 <= oneNorm (normal h) * margin < 2 ^ 60 /\
+  2 * Z.abs (start d) < 3 * 2 ^ 62 /\ 2 * Z.abs (finish d) < 3 * 2 ^ 62 /\ fits 64 (start d) /\ fits 64 (finish d).
+Proof.
+  intros N O P D M. destruct (dot_fits _ _ N P) as (_ & _ & Q). destruct (displacement_product_fits _ _ N D) as (_ & _ & R).
+  pose proof (one_norm_fits _ N) as K.
+  assert (S : 0 <= oneNorm (normal h) * margin < 2 ^ 60) by (unfold isMargin in M; powers; nia).
+  unfold endDistancesTo; cbn [start finish]. set (u := dot (normal h) position) in *. set (w := dot (normal h) displacement) in *.
+  set (m := oneNorm (normal h) * margin) in *. clearbody u w m. clear N P D M K.
+  unfold below, fits in *; powers. lia.
+Qed.
+
+(** The quotients of Sweep::cross, in int64: their numerators and denominators *)
+Theorem times_fit h position displacement margin : isNormal (normal h) -> below 61 (offset h) -> isPoint29 position ->
+  below 30 (x displacement) /\ below 30 (y displacement) -> isMargin margin ->
+  let d := endDistancesTo position displacement margin h in
+  fits 64 (start d - finish d) /\ fits 64 (finish d - start d) /\ fits 64 (- start d).
+Proof.
+  intros N O P D M d. destruct (distances_fit h position displacement margin N O P D M) as (_ & _ & A & _ & _ & _).
+  fold d in A. destruct (displacement_product_fits _ _ N D) as (_ & _ & R).
+  assert (E : finish d - start d = dot (normal h) displacement) by (unfold d, endDistancesTo; cbn [start finish]; lia).
+  unfold below, fits in *; powers. lia.
+Qed.
+
+(** The products that compare two quotients, in 128 bits *)
+Theorem comparisons_fit m n p q : fits 64 m -> fits 64 n -> fits 64 p -> fits 64 q -> fits 128 (m * q) /\ fits 128 (p * n).
+Proof. unfold fits. powers. intros. split; nia. Qed.
