@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Checks the proof in shared/proof with coq: every file compiles, and no theorem rests on an assumption.
+"""Checks the proof in shared/proof with coq: every file compiles, and no theorem rests on an assumption. Then the function
+that is proved answers queries, and the sweep the same ones: all answers must be equal.
 
-usage: check_proof.py ROOT
+usage: check_proof.py ROOT QUERIES COUNT SEED
+
+QUERIES is the program platon-sweep-queries; COUNT queries are drawn with SEED.
 """
 
 import re
@@ -14,6 +17,7 @@ LIBRARY = "Platon"
 # What would let something pass for proved.
 FORBIDDEN = r"\b(Axiom|Axioms|Parameter|Parameters|Hypothesis|Hypotheses|Variable|Variables|Conjecture|Admitted|admit|Abort|Context)\b"
 CLOSED = "Closed under the global context"
+PROVED = "platon-proved-sweep"
 
 
 class ProofError(Exception):
@@ -70,16 +74,41 @@ def check(source, work):
     return theorems
 
 
+def run(folder, *command, **options):
+    result = subprocess.run(command, cwd=folder, stderr=subprocess.PIPE, text=True, check=False, **options)
+    if result.returncode:
+        raise ProofError(f"{' '.join(map(str, command))} fails:\n{result.stderr}".rstrip())
+
+
+def compare(root, work, program, count, seed):
+    """Compares the answers of the extracted function with those of the C++. Throws ProofError at the first that differs."""
+    shutil.copy(root / "tests/proof/proved_sweep.ml", work)
+    (work / "proved.mli").unlink(missing_ok=True)
+    run(work, "ocamlfind", "ocamlopt", "-package", "zarith", "-linkpkg", "proved.ml", "proved_sweep.ml", "-o", PROVED)
+    run(work, program, str(count), str(seed), "queries", "answers")
+    with (work / "queries").open() as queries, (work / "proved").open("w") as proved:
+        run(work, work / PROVED, stdin=queries, stdout=proved)
+    with (work / "queries").open() as queries, (work / "answers").open() as answers, (work / "proved").open() as proved:
+        for number, (query, answer, right) in enumerate(zip(queries, answers, proved, strict=True), 1):
+            if answer != right:
+                raise ProofError(f"query {number} of seed {seed}: {query}the C++ answers {answer}proved is {right}".rstrip())
+        if number != count:
+            raise ProofError(f"{number} queries instead of {count}")
+
+
 def main(arguments):
-    if len(arguments) != 1:
+    if len(arguments) != 4:
         sys.exit(__doc__)
-    root = Path(arguments[0])
+    root, program = Path(arguments[0]).resolve(), Path(arguments[1]).resolve()
+    count, seed = map(int, arguments[2:])
+    work = root / "build/proof"
     try:
-        theorems = check(root / "shared/proof", root / "build/proof")
+        theorems = check(root / "shared/proof", work)
+        print(f"{len(theorems)} theorems in {len({name for name, _ in theorems})} files hold, and none rests on an assumption", flush=True)
+        compare(root, work, program, count, seed)
     except ProofError as error:
         sys.exit(str(error))
-    files = len({name for name, _ in theorems})
-    print(f"{len(theorems)} theorems in {files} files hold, and none rests on an assumption")
+    print(f"{count} queries of seed {seed}: the sweep answers as the function that is proved")
 
 
 if __name__ == "__main__":

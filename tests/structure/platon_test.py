@@ -197,7 +197,7 @@ class Tests(Script):
         self.assert_refused(["test", "--release", "--tsan"],
                             "test --release chooses the presets itself: name none with it")  # fmt: skip
         self.assert_refused(["test", "--asan", "--all"], "test --all chooses the presets itself: name none with it")
-        self.assert_refused(["test", "--proof", "-V"], "test --proof checks the whole proof: give nothing with it")
+        self.assert_refused(["test", "--proof", "-V"], "test --proof checks the whole proof: give nothing with it but a seed")
         self.assert_refused(["test", "--fuzz", "--debug"],
                             "test --fuzz builds with clang and sanitizers: name no preset with it")  # fmt: skip
 
