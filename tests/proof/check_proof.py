@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks the proof in shared/proof with coq: every file compiles, and no theorem rests on an assumption. Then the function
-that is proved answers queries, and the sweep the same ones: all answers must be equal.
+that is proved answers queries, and the sweep the same ones: all answers must be equal, but not those of a sweep with a fault.
 
 usage: check_proof.py ROOT QUERIES COUNT SEED
 
@@ -12,6 +12,8 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import bridge_faults
 
 LIBRARY = "Platon"
 # What would let something pass for proved.
@@ -106,9 +108,12 @@ def main(arguments):
         theorems = check(root / "shared/proof", work)
         print(f"{len(theorems)} theorems in {len({name for name, _ in theorems})} files hold, and none rests on an assumption", flush=True)
         compare(root, work, program, count, seed)
+        print(f"{count} queries of seed {seed}: the sweep answers as the function that is proved", flush=True)
+        if missed := bridge_faults.survivors(root, work, count, seed):
+            raise ProofError(f"these faults give no other answer: {'; '.join(missed)}")
     except ProofError as error:
         sys.exit(str(error))
-    print(f"{count} queries of seed {seed}: the sweep answers as the function that is proved")
+    print(f"{len(bridge_faults.FAULTS)} deliberate faults: each gives another answer")
 
 
 if __name__ == "__main__":
