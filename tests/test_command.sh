@@ -133,10 +133,9 @@ check_proof() {
   local seed=1
   [[ ${2-} =~ ^[0-9]+$ ]] && seed=$2 && set -- "$1"
   [[ $# == 1 ]] || die 'test --proof checks the whole proof: give nothing with it but a seed' 2
-  need "$to_prove"
+  need "$to_test"
   configure release -DBUILD_TESTING=ON || exit 1
   build release platon-sweep-queries || exit 1
-  python3 -B "$root/tests/proof/check_proof_test.py" || exit 1
   exec python3 -B "$root/tests/proof/check_proof.py" "$root" "$bin/platon-sweep-queries" 1000000 "$seed"
 }
 

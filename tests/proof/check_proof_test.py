@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Tests that check_proof.py accepts what is proved and nothing else. Without coq it is skipped."""
+"""Tests that check_proof.py accepts what is proved and nothing else."""
 
 import shutil
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -55,6 +54,4 @@ class CheckProof(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if shutil.which("coqc") is None:
-        sys.exit(77)
     unittest.main()
