@@ -95,11 +95,13 @@ def check_paths(prefix, *places):
                 sys.exit(f"{path.relative_to(prefix)} names {place}")
 
 
-def check_requests(prefix, folder):
+def check_requests(prefix, folder, root):
     """find_package accepts the right version and components, and refuses others."""
+    major, minor = map(int, re.search(r"project\(platon VERSION (\d+)\.(\d+)", (root / "CMakeLists.txt").read_text(encoding="utf-8")).groups())
+    own = f"{major}.{minor}"
     for number, (request, accepted) in enumerate((
-        ("0.2 COMPONENTS physics", True), ("0.2 COMPONENTS exact game", True), ("0.2 OPTIONAL_COMPONENTS sound", True),
-        ("0.3", False), ("0.1", False), ("1", False), ("0.2 COMPONENTS sound", False),
+        (f"{own} COMPONENTS physics", True), (f"{own} COMPONENTS exact game", True), (f"{own} OPTIONAL_COMPONENTS sound", True),
+        (f"{major}.{minor + 1}", False), (f"{major}.{minor - 1}", False), (f"{major + 1}", False), (f"{own} COMPONENTS sound", False),
     )):  # fmt: skip
         source = folder / f"request{number}"
         source.mkdir()
@@ -117,7 +119,7 @@ def check_installed(folder, root, build, compiler):
     run("cmake", "--install", build, "--component", "library", "--prefix", folder / "first")
     prefix = (folder / "first").rename(folder / "moved")
     check_paths(prefix, root, build, folder / "first")
-    check_requests(prefix, folder)
+    check_requests(prefix, folder, root)
     check_headers(prefix, compiler)
     source = shutil.copytree(root / "shared/examples", folder / "examples")
     build_with(source, folder / "build", compiler, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}")
