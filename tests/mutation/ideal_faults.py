@@ -95,7 +95,7 @@ IDEAL_FAULTS = [
     at_length("segment-of-another-instance-skipped", PHYSICS + "step/leg.cpp",
               "leg.plan.slides && step.contact->placement == index", "leg.plan.slides",
               "a slide skips the segments of all parts with the number of its own",
-              "RestTest.NothingMovesUnderAConstantVelocity"),
+              "InstancesTest.PassesAnEndThatASegmentBeforeTheEdgeReaches"),
     Fault("hit-not-put-onto-the-edge", PHYSICS + "step/leg.cpp",
           "return leg.hit ? onto(step.instances, *leg.hit, end) : end;", "return end;",
           "rounding leaves the ideal place beside the edge that stopped it",
