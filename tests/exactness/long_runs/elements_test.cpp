@@ -156,7 +156,7 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
     return checker.finishTick(open);
   };
   int crossings = 0;
-  for (int round = 0; round < repetitions(1500); ++round) {
+  for (int round = 0; round < repetitions(5000); ++round) {
     World world = level.world;
     ElementRules open(level, 1);
     world.setRules(open);
@@ -173,7 +173,7 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
         << "PLATON_SEED=" << properties::firstSeed() << ", round " << round;
     crossings += ball.part() == 5 ? 1 : 0;
   }
-  EXPECT_GT(crossings, repetitions(250));
+  EXPECT_GT(crossings, repetitions(800));
 }
 
 }  // namespace
