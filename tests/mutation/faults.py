@@ -248,7 +248,7 @@ FAULTS = [
     at_length("drift-not-mended", PHYSICS + "instances.h",
               "next != Placement::kNone && correctDrift(collider)", "false",
               "rounding errors of placements accumulate",
-              "CrossingTest.InvariantsHoldOverDozensOfFacesInATick"),
+              "StepStateTest.RehomeCorrectsTheInstanceThatHasDrifted"),
     at_length("anchors-stay", PHYSICS + "instances.cpp",
               "    placement.homeAnchor = home().position;\n    placement.anchor = placement.position;\n  }\n", "  }\n",
               "instances jump at a rehome",

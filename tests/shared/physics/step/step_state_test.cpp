@@ -83,6 +83,21 @@ TEST_F(StepStateTest, RehomeConvertsThePlaceIntoTheNewFrame) {
   EXPECT_EQ(state_.crossings, 1u);
 }
 
+TEST_F(StepStateTest, RehomeCorrectsTheInstanceThatHasDrifted) {
+  world_ = twoStrips();
+  Entity entity(world_, square(100));
+  MapPart(world_, 1).insert(entity, {950, 7}, Angle());
+  start();
+  ASSERT_EQ(instances_.all().size(), 2u);
+  instances_.all()[1].anchor.x += 1;
+  step().moveTo({1010, 7});
+  ASSERT_EQ(instances_.all()[1].position, Point(-989, 7));
+  step().place = precise(step().position());
+  step().rehome();
+  EXPECT_EQ(state_.part, 2u);
+  EXPECT_EQ(step().position(), Point(-990, 7));
+}
+
 // The frame of the second part is turned by 90°.
 TEST_F(StepStateTest, RehomeTurnsTheIdealPathWithTheFrame) {
   world_ = World();
