@@ -112,6 +112,19 @@ Proof.
   unfold below, fits in *; powers. lia.
 Qed.
 
+(** Sweep::clipToSegment computes relative to the position: the ends of the segment are then below 2^30, and the offset,
+    which is the distance at the start, below 1.5 * 2^61. *)
+Theorem relative_distances_fit e p d : isNormal (inwards e) -> below 60 (support e) ->
+  below 30 (x p) /\ below 30 (y p) -> below 30 (x d) /\ below 30 (y d) ->
+  let offset := support e - dot (inwards e) p in
+  below 61 (dot (inwards e) p) /\ 2 * Z.abs offset < 3 * 2 ^ 61 /\ fits 64 offset /\
+  2 * Z.abs (offset + dot (inwards e) d) < 3 * 2 ^ 62 /\ fits 64 (offset + dot (inwards e) d).
+Proof.
+  intros N S P D. destruct (displacement_product_fits _ _ N P) as (_ & _ & Q). destruct (displacement_product_fits _ _ N D) as (_ & _ & R).
+  set (u := dot (inwards e) p) in *. set (w := dot (inwards e) d) in *. clearbody u w. clear N P D. cbv zeta.
+  unfold below, fits in *; powers. lia.
+Qed.
+
 (** The quotients of Sweep::cross, in int64: their numerators and denominators *)
 Theorem times_fit h position displacement margin : isNormal (normal h) -> below 61 (offset h) -> isPoint29 position ->
   below 30 (x displacement) /\ below 30 (y displacement) -> isMargin margin ->

@@ -1,86 +1,87 @@
 (** Why nothing ever overlaps (I1): induction over the operations of steps. docs/exactness.md says it in words. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle collision.
+From Platon Require Import fraction sweep point obstacle convex collision.
 Import ListNotations.
 Open Scope Z_scope.
 
-(** A map: the segments of each part. What the rules let a body pass is the same during a step. *)
-Record World := world { segmentsOf : nat -> list Segment; pierces : nat -> Segment -> bool }.
+(** A map: the segments of each part. The number of a segment is its place in this list. *)
+Record World := world { segmentsOf : nat -> list Segment }.
 
-(** An instance of a body, and what it passes because it overlaps it. *)
-Record Instance := instance { part : nat; shape : list Point; position : Point; passed : list Segment }.
+(** An instance of a body, and the numbers of the segments that it passes because it overlaps them. *)
+Record Instance := instance { part : nat; shape : list Point; position : Point; passed : list nat }.
 
+(** Rules::pierce: whether they let an instance pass a segment. The answer may depend on where the instance is. *)
+Definition Rules := Instance -> nat -> bool.
+
+Definition isSegment (w : World) (i : Instance) (k : nat) (s : Segment) : Prop := nth_error (segmentsOf w (part i)) k = Some s.
 Definition overlapsNow (i : Instance) (s : Segment) : Prop := overlaps (shape i) s (exactly (position i)).
 
 (** A segment blocks an instance unless the rules let it pass, or it is overlapped since it passed it. *)
-Definition blocks (w : World) (i : Instance) (s : Segment) : Prop :=
-  In s (segmentsOf w (part i)) /\ pierces w (part i) s = false /\ ~ In s (passed i).
+Definition blocks (w : World) (rules : Rules) (i : Instance) (k : nat) (s : Segment) : Prop :=
+  isSegment w i k s /\ rules i k = false /\ ~ In k (passed i).
 
 (** The invariant. *)
-Definition isFree (w : World) (body : list Instance) : Prop :=
-  forall i, In i body -> forall s, blocks w i s -> ~ overlapsNow i s.
-
-(** *** What a step does *)
-
-(** What the collider compares a path with: every segment that it can meet, and possibly more. *)
-Definition findsAll (w : World) (i : Instance) (displacement : Point) (found : list Segment) : Prop :=
-  forall s t, In s (segmentsOf w (part i)) -> during t ->
-    overlapsAt (shape i) s (position i) displacement t -> In s found.
-
-(** Collider::isFree *)
-Definition isFoundFree (w : World) (i : Instance) (displacement : Point) (found : list Segment) : Prop :=
-  forall s, In s found -> blocks w i s -> clipAgainst (shape i) s (position i) displacement 0 = None.
-
-(** What an instance passes after an operation: some of what it overlaps, and all of it that it passed before. *)
-Definition stillPassed (before after : Instance) : Prop :=
-  forall s, In s (passed before) -> overlapsNow after s -> In s (passed after).
-
-(** A straight move of an instance. *)
-Definition moved (w : World) (before after : Instance) (displacement : Point) : Prop :=
-  part after = part before /\ shape after = shape before /\
-  position after = point (x (position before) + x displacement) (y (position before) + y displacement) /\
-  stillPassed before after /\
-  exists found, findsAll w before displacement found /\ isFoundFree w before displacement found.
-
-(** An instance that is placed: found free at its place. It passes what the rules let it pass. *)
-Definition placed (w : World) (i : Instance) : Prop :=
-  exists found, findsAll w i (point 0 0) found /\ isFoundFree w i (point 0 0) found.
-
-(** A turn: the hull of the shape before and after, which contains both, is found free. *)
-Definition contains (hull inner : list Point) : Prop := forall q, strictlyInside inner q -> strictlyInside hull q.
-Definition turned (w : World) (before after : Instance) : Prop :=
-  part after = part before /\ position after = position before /\ stillPassed before after /\
-  exists hull, strictlyConvex hull /\ contains hull (shape before) /\ contains hull (shape after) /\
-    placed w (instance (part before) hull (position before) (passed before)).
-
-Inductive operation (w : World) : list Instance -> list Instance -> Prop :=
-| moves : forall before after displacements,
-    length after = length before -> length displacements = length before ->
-    (forall n i j d, nth_error before n = Some i -> nth_error after n = Some j -> nth_error displacements n = Some d ->
-      moved w i j d) ->
-    operation w before after
-| insertion : forall body i, placed w i -> operation w body (body ++ [i])
-| removal : forall before after, (forall i, In i after -> In i before) -> operation w before after
-| turn : forall before after, length after = length before ->
-    (forall n i j, nth_error before n = Some i -> nth_error after n = Some j -> turned w i j) ->
-    operation w before after.
-
-Inductive steps (w : World) : list Instance -> list Instance -> Prop :=
-| nothing : forall body, steps w body body
-| more : forall first next last, operation w first next -> steps w next last -> steps w first last.
-
+Definition isFree (w : World) (rules : Rules) (body : list Instance) : Prop :=
+  forall i, In i body -> forall k s, blocks w rules i k s -> ~ overlapsNow i s.
 Definition allConvex (body : list Instance) : Prop := forall i, In i body -> strictlyConvex (shape i).
 
+(** ** What a step does *)
+
+(** What the collider compares the way of a shape with: every segment that it can meet, and possibly more. *)
+Definition findsAll (w : World) (i : Instance) (moving : list Point) (displacement : Point) (found : list nat) : Prop :=
+  forall k s t, isSegment w i k s -> during t -> overlapsAt moving s (position i) displacement t -> In k found.
+
+(** Collider::isFree: nothing that blocks the instance is met by a shape on a straight way from its position. *)
+Definition isFoundFree (w : World) (rules : Rules) (i : Instance) (moving : list Point) (displacement : Point) : Prop :=
+  exists found, findsAll w i moving displacement found /\
+    forall k s, In k found -> blocks w rules i k s -> clipAgainst moving s (position i) displacement 0 = None.
+
+(** After an operation, an instance passes what it overlaps of what it passed before or what the rules let it pass. *)
+Definition passesOn (w : World) (rules : Rules) (before after : Instance) : Prop :=
+  forall k s, isSegment w after k s ->
+    (In k (passed after) <-> overlapsNow after s /\ (In k (passed before) \/ rules before k = true)).
+
+(** A straight move of an instance. *)
+Definition moved (w : World) (rules : Rules) (before after : Instance) (displacement : Point) : Prop :=
+  part after = part before /\ shape after = shape before /\
+  position after = point (x (position before) + x displacement) (y (position before) + y displacement) /\
+  passesOn w rules before after /\ isFoundFree w rules before (shape before) displacement.
+
+(** A rotation: the hull, which contains the shape before and after, is found free. *)
+Definition contains (hull inner : list Point) : Prop := forall q, strictlyInside inner q -> strictlyInside hull q.
+Definition rotatedTo (w : World) (rules : Rules) (before after : Instance) : Prop :=
+  part after = part before /\ position after = position before /\ strictlyConvex (shape after) /\ passesOn w rules before after /\
+  exists hull, strictlyConvex hull /\ contains hull (shape before) /\ contains hull (shape after) /\
+    isFoundFree w rules before hull (point 0 0).
+
+(** An instance that is inserted: found free at its place. It passes what it overlaps there and the rules let it pass. *)
+Definition inserted (w : World) (rules : Rules) (i : Instance) : Prop :=
+  strictlyConvex (shape i) /\ isFoundFree w rules i (shape i) (point 0 0) /\
+  forall k s, isSegment w i k s -> (In k (passed i) <-> overlapsNow i s /\ rules i k = true).
+
+(** The beginning of a step, which may have other rules: what is overlapped is passed until it is left. *)
+Definition begun (w : World) (before after : Instance) : Prop :=
+  part after = part before /\ shape after = shape before /\ position after = position before /\
+  forall k s, isSegment w after k s -> (In k (passed after) <-> overlapsNow before s).
+
+(** Two lists of instances, one by one. *)
+Definition eachOf (relation : Instance -> Instance -> Prop) (before after : list Instance) : Prop := Forall2 relation before after.
+
+Inductive operation (w : World) (rules : Rules) : list Instance -> list Instance -> Prop :=
+| moves : forall before after, eachOf (fun i j => exists d, moved w rules i j d) before after -> operation w rules before after
+| rotates : forall before after, eachOf (rotatedTo w rules) before after -> operation w rules before after
+| inserts : forall body i, inserted w rules i -> operation w rules body (body ++ [i])
+| removes : forall before after, (forall i, In i after -> In i before) -> operation w rules before after.
+
+(** What happens to a body in any number of steps, each with rules that are allowed. *)
+Inductive history (w : World) (allowed : Rules -> Prop) : Rules -> list Instance -> Rules -> list Instance -> Prop :=
+| nothing : forall rules body, history w allowed rules body rules body
+| operates : forall rules first next others last,
+    operation w rules first next -> history w allowed rules next others last -> history w allowed rules first others last
+| begins : forall rules new first next others last,
+    allowed new -> eachOf (begun w) first next -> history w allowed new next others last -> history w allowed rules first others last.
+
 (** ** The proof *)
-
-Lemma nth_of_in {A} (l : list A) a : In a l -> exists n, nth_error l n = Some a.
-Proof. apply In_nth_error. Qed.
-
-Lemma same_nth {A B} (l : list A) (r : list B) n b : length r = length l -> nth_error r n = Some b -> exists a, nth_error l n = Some a.
-Proof.
-  intros L H. assert (n < length r)%nat by (apply nth_error_Some; congruence).
-  destruct (nth_error l n) as [a |] eqn:E; [exists a; reflexivity |]. apply nth_error_None in E. lia.
-Qed.
 
 Lemma overlaps_eq vertices s p q : (px p == px q)%Q -> (py p == py q)%Q -> overlaps vertices s p -> overlaps vertices s q.
 Proof.
@@ -97,75 +98,165 @@ Lemma path_end position displacement :
   (py (pathAt position displacement 1) == py (exactly (point (x position + x displacement) (y position + y displacement))))%Q.
 Proof. unfold pathAt, exactly; cbn [px py x y]. rewrite !inject_Z_plus. split; ring. Qed.
 
-(* On its whole way, an instance that was found free overlaps nothing that blocks it. *)
-Lemma free_on_the_way w i displacement found s t :
-  strictlyConvex (shape i) -> findsAll w i displacement found -> isFoundFree w i displacement found ->
-  blocks w i s -> during t -> ~ overlapsAt (shape i) s (position i) displacement t.
+Lemma overlaps_at_start vertices s p d : overlaps vertices s (exactly p) -> overlapsAt vertices s p d 0.
 Proof.
-  intros C F H B T O. destruct B as (I & P & N).
-  assert (K : clipAgainst (shape i) s (position i) displacement 0 = None).
-  { apply H; [exact (F s t I T O) | unfold blocks; auto]. }
-  apply (misses_exactly _ _ _ _ C) with (t := t) in K; [contradiction | assumption].
+  intros O. destruct (path_start p d) as [X Y]. unfold overlapsAt. apply (overlaps_eq _ _ (exactly p)); [lra | lra | assumption].
 Qed.
 
-Lemma placed_is_free w i s : strictlyConvex (shape i) -> placed w i -> blocks w i s -> ~ overlapsNow i s.
+(* On its whole way, a shape that was found free overlaps nothing that blocks the instance. *)
+Lemma free_on_the_way w rules i moving displacement k s t :
+  strictlyConvex moving -> isFoundFree w rules i moving displacement -> blocks w rules i k s -> during t ->
+  ~ overlapsAt moving s (position i) displacement t.
 Proof.
-  intros C (found & F & H) B O.
-  apply (free_on_the_way w i (point 0 0) found s 0 C F H B ltac:(unfold during; lra)).
-  destruct (path_start (position i) (point 0 0)) as [X Y]. apply (overlaps_eq _ _ (exactly (position i))); [lra | lra | assumption].
+  intros C (found & F & H) B T O. pose proof B as (I & _).
+  pose proof (H k s (F k s t I T O) B) as K. apply (misses_exactly _ _ _ _ C) with (t := t) in K; [contradiction | assumption].
 Qed.
 
 (** On the way of every move, no instance overlaps a segment that blocks it. *)
-Theorem moves_are_free w before after displacement s t :
-  strictlyConvex (shape before) -> moved w before after displacement -> blocks w before s -> during t ->
+Theorem moves_are_free w rules before after displacement k s t :
+  strictlyConvex (shape before) -> moved w rules before after displacement -> blocks w rules before k s -> during t ->
   ~ overlapsAt (shape before) s (position before) displacement t.
-Proof. intros C (_ & _ & _ & _ & found & F & H). apply (free_on_the_way w before displacement found); assumption. Qed.
+Proof. intros C (_ & _ & _ & _ & F). apply (free_on_the_way w rules before _ displacement k); assumption. Qed.
 
-Lemma moved_is_free w before after displacement s :
-  strictlyConvex (shape before) -> moved w before after displacement -> blocks w after s -> ~ overlapsNow after s.
+(* What blocks after an operation and is overlapped has blocked before it. *)
+Lemma blocked_before w rules before after k s : part after = part before -> passesOn w rules before after ->
+  blocks w rules after k s -> overlapsNow after s -> blocks w rules before k s.
 Proof.
-  intros C M (I & P & N) O. pose proof M as (Ep & Es & Eq & K & _).
-  assert (B : blocks w before s).
-  { split; [congruence | split; [congruence |]]. intros J. apply N. apply K; assumption. }
-  apply (moves_are_free w before after displacement s 1 C M B ltac:(unfold during; lra)).
-  unfold overlapsNow in O. rewrite Es, Eq in O.
-  destruct (path_end (position before) displacement) as [X Y].
+  intros E P (I & _ & N) O. pose proof (proj2 (P k s I)) as Q. unfold blocks, isSegment in *. rewrite <- E.
+  split; [assumption |]. destruct (rules before k) eqn:R; [exfalso; apply N; apply Q; auto |].
+  split; [reflexivity |]. intros J. apply N. apply Q. auto.
+Qed.
+
+Lemma moved_is_free w rules before after displacement k s :
+  strictlyConvex (shape before) -> moved w rules before after displacement -> blocks w rules after k s -> ~ overlapsNow after s.
+Proof.
+  intros C M B O. pose proof M as (Ep & Es & Eq & P & _). pose proof (blocked_before w rules before after k s Ep P B O) as B'.
+  apply (moves_are_free w rules before after displacement k s 1 C M B' ltac:(unfold during; lra)).
+  unfold overlapsNow in O. rewrite Es, Eq in O. destruct (path_end (position before) displacement) as [X Y].
   apply (overlaps_eq _ _ _ (pathAt (position before) displacement 1)) in O; [exact O | lra | lra].
 Qed.
 
-Lemma contains_overlap hull inner s p : contains hull inner -> overlaps inner s p -> overlaps hull s p.
-Proof. intros C (share & R & S). exists share. auto. Qed.
-
-Lemma turned_is_free w before after s : turned w before after -> blocks w after s -> ~ overlapsNow after s.
+Lemma rotated_is_free w rules before after k s : rotatedTo w rules before after -> blocks w rules after k s -> ~ overlapsNow after s.
 Proof.
-  intros (Ep & Eq & K & hull & C & _ & A & H) (I & P & N) O.
-  set (h := instance (part before) hull (position before) (passed before)) in *.
-  apply (placed_is_free w h s C H).
-  - split; [simpl; congruence | split; [simpl; congruence |]]. simpl. intros J. apply N. apply K; assumption.
-  - unfold overlapsNow in *. simpl. rewrite <- Eq. apply (contains_overlap _ (shape after)); assumption.
+  intros (Ep & Eq & _ & P & hull & C & _ & A & F) B O. pose proof (blocked_before w rules before after k s Ep P B O) as B'.
+  apply (free_on_the_way w rules before hull (point 0 0) k s 0 C F B' ltac:(unfold during; lra)). apply overlaps_at_start.
+  destruct O as (share & R & S). exists share. rewrite Eq in S. auto.
 Qed.
 
-Theorem operations_keep_free w before after :
-  allConvex before -> allConvex after -> operation w before after -> isFree w before -> isFree w after.
+Lemma inserted_is_free w rules i k s : inserted w rules i -> blocks w rules i k s -> ~ overlapsNow i s.
 Proof.
-  intros C D O F j J s B. destruct O as [before after displacements L M H | body i H | before after H | before after L H].
-  - destruct (nth_of_in _ _ J) as (n & Hn). destruct (same_nth before after n j L Hn) as (i & Hi).
-    destruct (same_nth displacements before n i ltac:(lia) Hi) as (d & Hd).
-    apply (moved_is_free w i j d s); [apply C; eapply nth_error_In; eassumption | exact (H n i j d Hi Hn Hd) | assumption].
-  - apply in_app_iff in J as [J | [-> | []]]; [exact (F j J s B) |].
-    apply (placed_is_free w); [apply D; apply in_app_iff; simpl; auto | assumption | assumption].
-  - exact (F j (H j J) s B).
-  - destruct (nth_of_in _ _ J) as (n & Hn). destruct (same_nth before after n j L Hn) as (i & Hi).
-    apply (turned_is_free w i j s); [exact (H n i j Hi Hn) | assumption].
+  intros (C & F & _) B O. apply (free_on_the_way w rules i (shape i) (point 0 0) k s 0 C F B ltac:(unfold during; lra)).
+  apply overlaps_at_start. assumption.
 Qed.
 
-(** Whatever a body does in however many steps, no instance overlaps a segment that blocks it (I1). *)
-Theorem nothing_ever_overlaps w first last :
-  (forall body, steps w first body -> allConvex body) -> steps w first last -> isFree w first -> isFree w last.
+Lemma each_before relation before after j : eachOf relation before after -> In j after -> exists i, In i before /\ relation i j.
 Proof.
-  intros C S. revert C. induction S as [body | first next last O S IH]; intros C F; [assumption |].
-  apply IH.
-  - intros body B. apply C. eapply more; eassumption.
-  - apply (operations_keep_free w first); [apply C; constructor | | assumption | assumption].
-    apply C. eapply more; [eassumption | constructor].
+  intros E. induction E as [| i' j' before after R E IH]; intros J; [contradiction |].
+  destruct J as [<- | J]; [exists i'; split; [left; reflexivity | assumption] |].
+  destruct (IH J) as (i & I & K). exists i. split; [right; assumption | assumption].
+Qed.
+
+Theorem operations_keep_free w rules before after :
+  operation w rules before after -> allConvex before -> isFree w rules before -> allConvex after /\ isFree w rules after.
+Proof.
+  intros O C F. destruct O as [before after E | before after E | body i I | before after H].
+  - split.
+    + intros j J. destruct (each_before _ _ _ j E J) as (i & I & d & (_ & Es & _)). rewrite Es. auto.
+    + intros j J k s B. destruct (each_before _ _ _ j E J) as (i & I & d & M). apply (moved_is_free w rules i j d k s (C i I) M B).
+  - split.
+    + intros j J. destruct (each_before _ _ _ j E J) as (i & I & (_ & _ & K & _)). assumption.
+    + intros j J k s B. destruct (each_before _ _ _ j E J) as (i & I & R). apply (rotated_is_free w rules i j k s R B).
+  - split.
+    + intros j J. apply in_app_iff in J as [J | [<- | []]]; [exact (C j J) | apply I].
+    + intros j J k s B. apply in_app_iff in J as [J | [<- | []]]; [exact (F j J k s B) | exact (inserted_is_free w rules i k s I B)].
+  - split; intros j J; [exact (C j (H j J)) | exact (F j (H j J))].
+Qed.
+
+Theorem beginnings_keep_free w rules before after :
+  eachOf (begun w) before after -> allConvex before -> allConvex after /\ isFree w rules after.
+Proof.
+  intros E C. split.
+  - intros j J. destruct (each_before _ _ _ j E J) as (i & I & (_ & Es & _)). rewrite Es. auto.
+  - intros j J k s (I' & _ & N) O. destruct (each_before _ _ _ j E J) as (i & I & (Ep & Es & Eq & P)). apply N. apply (P k s I').
+    unfold overlapsNow in *. rewrite <- Es, <- Eq. assumption.
+Qed.
+
+(** Whatever happens to a body in however many steps, no instance overlaps a segment that blocks it (I1). *)
+Theorem nothing_ever_overlaps w allowed rules first others last : history w allowed rules first others last ->
+  allConvex first -> isFree w rules first -> allConvex last /\ isFree w others last.
+Proof.
+  intros H. induction H as [rules body | rules first next others last O H IH | rules new first next others last A B H IH]; intros C F.
+  - auto.
+  - destruct (operations_keep_free w rules first next O C F). auto.
+  - destruct (beginnings_keep_free w new first next B C). auto.
+Qed.
+
+Lemma same_segment w i j k s : part j = part i -> isSegment w j k s -> isSegment w i k s.
+Proof. unfold isSegment. intros ->. auto. Qed.
+
+(** A wall, which no rules ever let anybody pass, and which is not overlapped at first, is never overlapped. *)
+Definition isWall (p k : nat) (rules : Rules) : Prop := forall i, part i = p -> rules i k = false.
+Definition isClearOf (w : World) (p k : nat) (body : list Instance) : Prop :=
+  forall i s, In i body -> part i = p -> isSegment w i k s -> ~ In k (passed i) /\ ~ overlapsNow i s.
+
+Theorem walls_are_never_overlapped w p k rules first others last : history w (isWall p k) rules first others last ->
+  isWall p k rules -> allConvex first -> isFree w rules first -> isClearOf w p k first -> isClearOf w p k last.
+Proof.
+  intros H. induction H as [rules body | rules first next others last O H IH | rules new first next others last A B H IH]; intros W C F K.
+  - assumption.
+  - destruct (operations_keep_free w rules first next O C F) as [C' F']. apply IH; try assumption.
+    assert (N : forall i s, In i next -> part i = p -> isSegment w i k s -> ~ In k (passed i)).
+    { destruct O as [before after E | before after E | body i I | before after R]; intros j s J Ep S Q.
+      - destruct (each_before _ _ _ j E J) as (i & I & d & (Ei & _ & _ & P & _)). destruct (proj1 (P k s S) Q) as [_ [Q' | Q']].
+        + pose proof (same_segment w i j k s Ei S) as S'. apply (proj1 (K i s I ltac:(congruence) S')). assumption.
+        + rewrite (W i) in Q'; [discriminate | congruence].
+      - destruct (each_before _ _ _ j E J) as (i & I & (Ei & _ & _ & P & _)). destruct (proj1 (P k s S) Q) as [_ [Q' | Q']].
+        + pose proof (same_segment w i j k s Ei S) as S'. apply (proj1 (K i s I ltac:(congruence) S')). assumption.
+        + rewrite (W i) in Q'; [discriminate | congruence].
+      - apply in_app_iff in J as [J | [<- | []]]; [apply (proj1 (K j s J Ep S)); assumption |].
+        destruct I as (_ & _ & P). destruct (proj1 (P k s S) Q) as [_ Q']. rewrite (W i Ep) in Q'. discriminate.
+      - apply (proj1 (K j s (R j J) Ep S)). assumption. }
+    intros i s I Ep S. pose proof (N i s I Ep S) as Q. split; [assumption |]. apply (F' i I k s). split; [assumption | split; [apply W; assumption | assumption]].
+  - destruct (beginnings_keep_free w new first next B C) as [C' F']. apply IH; try assumption.
+    intros j s J Ep S. destruct (each_before _ _ _ j B J) as (i & I & (Ei & Es & Eq & P)).
+    pose proof (same_segment w i j k s Ei S) as S'. destruct (K i s I ltac:(congruence) S') as [_ O].
+    split; [intros Q; apply O; apply (P k s S); assumption | unfold overlapsNow in *; rewrite Es, Eq; assumption].
+Qed.
+
+(** ** The premises can be met: a square moves towards a wall, and stops where it touches it. *)
+
+Definition square : list Point := [point (-1) (-1); point 1 (-1); point 1 1; point (-1) 1].
+Definition wall : World := world (fun _ => [segment (point 5 (-9)) (point 5 9)]).
+Definition always_blocks : Rules := fun _ _ => false.
+Definition at_ (p : Z) : Instance := instance 0 square (point p 0) [].
+
+Lemma square_is_convex : strictlyConvex square.
+Proof. apply valid_is_convex. vm_compute. reflexivity. Qed.
+
+Lemma no_overlap p : p = 0 \/ p = 4 -> forall s, In s (segmentsOf wall 0) ->
+  clipAgainst square s (point p 0) (point 0 0) 0 = None.
+Proof. intros [-> | ->] s [<- | []]; vm_compute; reflexivity. Qed.
+
+Lemma is_not_overlapped p s : p = 0 \/ p = 4 -> In s (segmentsOf wall 0) -> ~ overlapsNow (at_ p) s.
+Proof.
+  intros A S O. assert (K : clipAgainst square s (point p 0) (point 0 0) 0 = None) by (apply no_overlap; assumption).
+  apply (misses_exactly _ _ _ _ square_is_convex) with (t := 0%Q) in K; [| unfold during; lra].
+  apply K. apply overlaps_at_start. assumption.
+Qed.
+
+Theorem premises_can_be_met :
+  allConvex [at_ 0] /\ isFree wall always_blocks [at_ 0] /\ isClearOf wall 0 0 [at_ 0] /\
+  history wall (isWall 0 0) always_blocks [at_ 0] always_blocks [at_ 4].
+Proof.
+  assert (S : forall i k s, isSegment wall i k s -> In s (segmentsOf wall 0)).
+  { unfold isSegment. intros i k s E. apply nth_error_In in E. exact E. }
+  split; [intros i [<- | []]; apply square_is_convex |]. split; [| split].
+  - intros i [<- | []] k s (I & _). apply is_not_overlapped; [lia | eauto].
+  - intros i s [<- | []] _ I. split; [intros [] |]. apply is_not_overlapped; [lia | eauto].
+  - eapply operates; [| apply nothing]. apply moves. constructor; [| constructor]. exists (point 4 0).
+    split; [reflexivity | split; [reflexivity | split; [reflexivity | split]]].
+    + intros k s I. split; [intros [] |]. intros [O _]. exfalso. apply (is_not_overlapped 4 s); [lia | eauto | exact O].
+    + exists [0%nat]. split.
+      * intros k s t I _ _. unfold isSegment in I. destruct k as [| k]; [left; reflexivity |]. destruct k; discriminate.
+      * intros k s _ (I & _). apply S in I as [<- | []]. vm_compute. reflexivity.
 Qed.
