@@ -29,6 +29,13 @@ bool isSame(const Answer& a, const Answer& b) {
          a->side == b->side;
 }
 
+// Now and then a shape with more edges than Obstacle has groups of them; on a fine lattice, or they would be collinear.
+Convex drawShape(sim::SeededRandom& random, std::int32_t reach) {
+  constexpr std::int32_t kFine = 50000;
+  if (reach < kFine || random.below(8) != 0) return randomConvex(random, reach);
+  return regular(random.below(2) == 0 ? 72 : 144, reach);
+}
+
 struct Query {
   Point position;
   Point displacement;
@@ -40,7 +47,7 @@ struct Query {
 class Scene {
  public:
   Scene(sim::SeededRandom& random, std::int32_t reach)
-      : random_(random), reach_(reach), shape_(randomConvex(random, reach)), segment_{random.vector(reach), {}} {
+      : random_(random), reach_(reach), shape_(drawShape(random, reach)), segment_{random.vector(reach), {}} {
     segment_.b = random.below(8) == 0 ? segment_.a : random.vector(reach);
     obstacle_.build(shape_, segment_);
   }
@@ -126,7 +133,7 @@ std::string text(const Answer& answer) {
 
 int main(int argc, char** argv) {
   if (argc != 5) return std::fprintf(stderr, "usage: platon-sweep-queries COUNT SEED QUERIES ANSWERS\n"), 2;
-  constexpr std::int32_t kReaches[] = {2, 4, 20, 1000, 50000, 1 << 27};
+  constexpr std::int32_t kReaches[] = {2, 4, 20, 1000, 50000, 1 << 27, (1 << 28) - 1};
   constexpr int kQueriesOfAScene = 8;
   sim::SeededRandom random(std::strtoull(argv[2], nullptr, 10));
   std::ofstream queries(argv[3]);
