@@ -44,14 +44,19 @@ Proof. unfold isNormal, perpendicular, minus; cbn [x y]. numbers. Qed.
 Theorem normal_in_int32 n : isNormal n -> fits 32 (x n) /\ fits 32 (y n).
 Proof. unfold isNormal, fits. numbers. Qed.
 
+(* The products of a normal with what is below 2^bits, and their sum. *)
+Lemma products_fit bits n p : 0 <= bits -> isNormal n -> below bits (x p) /\ below bits (y p) ->
+  below (30 + bits) (x n * x p) /\ below (30 + bits) (y n * y p) /\ below (31 + bits) (dot n p).
+Proof.
+  intros B [N M] [C D]. pose proof (product_of 30 bits _ _ ltac:(lia) B N C) as P.
+  pose proof (product_of 30 bits _ _ ltac:(lia) B M D) as Q. split; [exact P | split; [exact Q |]].
+  unfold dot, below in *. replace (31 + bits) with (Z.succ (30 + bits)) by lia. rewrite Z.pow_succ_r by lia. lia.
+Qed.
+
 (** dot(normal, point): both products and their sum, in int64. *)
 Theorem dot_fits n p : isNormal n -> isPoint29 p ->
   below 59 (x n * x p) /\ below 59 (y n * y p) /\ below 60 (dot n p).
-Proof.
-  intros [A B] [C D]. pose proof (product_of 30 29 _ _ ltac:(lia) ltac:(lia) A C) as P.
-  pose proof (product_of 30 29 _ _ ltac:(lia) ltac:(lia) B D) as Q. split; [exact P | split; [exact Q |]].
-  unfold dot. clear A B C D. numbers.
-Qed.
+Proof. exact (products_fit 29 n p ltac:(lia)). Qed.
 
 (** The half plane of an edge. *)
 Theorem edge_offset_fits s e : isNormal (inwards e) -> below 60 (support e) -> isPoint29 (a s) -> isPoint29 (b s) ->
@@ -91,11 +96,7 @@ Proof. unfold isNormal, oneNorm. intros N. unfold below in N. powers. lia. Qed.
 (** The displacement between two positions, in int32; its product with a normal, in int64. *)
 Theorem displacement_product_fits n d : isNormal n -> below 30 (x d) /\ below 30 (y d) ->
   below 60 (x n * x d) /\ below 60 (y n * y d) /\ below 61 (dot n d).
-Proof.
-  intros [A B] [C D]. pose proof (product_of 30 30 _ _ ltac:(lia) ltac:(lia) A C) as P.
-  pose proof (product_of 30 30 _ _ ltac:(lia) ltac:(lia) B D) as Q. split; [exact P | split; [exact Q |]].
-  unfold dot. clear A B C D. numbers.
-Qed.
+Proof. exact (products_fit 30 n d ltac:(lia)). Qed.
 
 (** Sweep::endDistances, in int64: below 1.5 * 2^62 *)
 Theorem distances_fit h position displacement margin : isNormal (normal h) -> below 61 (offset h) -> isPoint29 position ->

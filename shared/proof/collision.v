@@ -100,7 +100,7 @@ Proof.
   injection N as <-. exists h. split; [reflexivity |]. split; [simpl in F; lia |].
   pose proof (distance_is_of_place position displacement 0 h (value (enter i))) as D. rewrite not_shifted in D. rewrite <- D.
   rewrite T. pose proof (value_times _ (enterTime_valid _ E)) as V. cbn [enterTime numerator denominator] in V.
-  unfold distanceAt. rewrite inject_minus in *. set (u := inject_Z (start _)) in *. set (w := inject_Z (finish _)) in *.
+  unfold distanceAt. rewrite inject_sub in *. set (u := inject_Z (start _)) in *. set (w := inject_Z (finish _)) in *.
   set (z := value _) in *. clearbody u w z. lra.
 Qed.
 (** The same with a margin, of the half planes moved outwards. *)

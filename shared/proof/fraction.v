@@ -35,3 +35,14 @@ Proof.
   intros Ha Hb H. destruct (Qlt_le_dec (value b) (value a)) as [L | L]; [assumption |].
   apply at_most_is_order in L; congruence.
 Qed.
+
+(** Integers as quotients. *)
+
+Lemma inject_le m n : (inject_Z m <= inject_Z n)%Q <-> m <= n.
+Proof. unfold Qle; simpl. lia. Qed.
+
+Lemma inject_lt m n : (inject_Z m < inject_Z n)%Q <-> m < n.
+Proof. unfold Qlt; simpl. lia. Qed.
+
+Lemma inject_sub m n : (inject_Z (m - n) == inject_Z m - inject_Z n)%Q.
+Proof. unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. reflexivity. Qed.

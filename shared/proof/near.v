@@ -1,7 +1,7 @@
 (** The segments that suffice: the half planes that are relevant for a box (Obstacle::findRelevant), and the segments
     that are near to a leg (Collider::isNearLeg). *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import point obstacle collision.
+From Platon Require Import fraction point obstacle convex collision.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -38,7 +38,6 @@ Qed.
 
 Definition squared (p : Place) : Q := (px p * px p + py p * py p)%Q.
 Definition squaredLength (p : Point) : Z := x p * x p + y p * y p.
-Definition crossOf (p q : Point) : Z := x p * y q - y p * x q.
 Definition maxNorm (p : Point) : Z := Z.max (Z.abs (x p)) (Z.abs (y p)).
 Definition kBeside := 6.
 Definition kNear := 12.
@@ -50,7 +49,7 @@ Definition isNearLeg (from to at_ : Point) : bool :=
   ((x at_ =? x to) && (y at_ =? y to)) ||
   (maxNorm moved <=? kBeside) || (maxNorm (minus at_ to) <=? kBeside) ||
   (negb ((x path =? 0) && (y path =? 0)) &&
-   (0 <=? dot path moved) && (dot path moved <=? squaredLength path) && (Z.abs (crossOf path moved) <=? kBeside * maxNorm path)).
+   (0 <=? dot path moved) && (dot path moved <=? squaredLength path) && (Z.abs (cross path moved) <=? kBeside * maxNorm path)).
 
 Lemma small_square (p : Point) (t : Q) : (0 <= t <= 1)%Q -> maxNorm p <= kBeside ->
   (squared (place (t * inject_Z (x p)) (t * inject_Z (y p))) <= 72)%Q.
@@ -88,10 +87,10 @@ Proof.
     set (path := minus to from) in *. set (moved := minus at_ from) in *.
     assert (L : 0 < squaredLength path).
     { unfold squaredLength. apply andb_false_iff in N as [N | N]; apply Z.eqb_neq in N; nia. }
-    assert (K : crossOf path moved * crossOf path moved <= 36 * squaredLength path).
+    assert (K : cross path moved * cross path moved <= 36 * squaredLength path).
     { unfold kBeside, squaredLength in *. assert (maxNorm path * maxNorm path <= x path * x path + y path * y path) by (unfold maxNorm; nia).
       assert (0 <= maxNorm path) by (unfold maxNorm; lia).
-      assert (Z.abs (crossOf path moved) * Z.abs (crossOf path moved) <= (6 * maxNorm path) * (6 * maxNorm path)) by nia.
+      assert (Z.abs (cross path moved) * Z.abs (cross path moved) <= (6 * maxNorm path) * (6 * maxNorm path)) by nia.
       rewrite Z.abs_square in *. nia. }
     set (l := inject_Z (squaredLength path)). assert (LQ : (0 < l)%Q) by (apply (inject_lt 0); assumption).
     set (along := inject_Z (dot path moved)). assert (AQ : (0 <= along)%Q) by (apply (inject_le 0); assumption).
@@ -99,13 +98,13 @@ Proof.
     assert (NL : ~ (l == 0)%Q) by (intros E; rewrite E in LQ; apply (Qlt_irrefl 0); exact LQ).
     assert (R : (0 <= along / l <= 1)%Q) by (split; [apply Qle_shift_div_l; lra | apply Qle_shift_div_r; lra]).
     exists (t * (along / l))%Q. split; [split; nra |]. rewrite D.
-    assert (KQ : (inject_Z (crossOf path moved) * inject_Z (crossOf path moved) <= 36 * l)%Q).
+    assert (KQ : (inject_Z (cross path moved) * inject_Z (cross path moved) <= 36 * l)%Q).
     { unfold l. rewrite <- inject_Z_mult. change 36%Q with (inject_Z 36). rewrite <- inject_Z_mult. apply inject_le. assumption. }
-    set (c := inject_Z (crossOf path moved)) in *.
+    set (c := inject_Z (cross path moved)) in *.
     (* the rest is across the leg *)
     assert (F : (squared (place (t * inject_Z (x at_ - x from) - t * (along / l) * inject_Z (x to - x from))
       (t * inject_Z (y at_ - y from) - t * (along / l) * inject_Z (y to - y from))) == t * t * (c * c / l))%Q).
-    { unfold squared; cbn [px py]. unfold c, along, l, crossOf, dot, squaredLength in *. unfold path, moved, minus in *; cbn [x y] in *.
+    { unfold squared; cbn [px py]. unfold c, along, l, cross, dot, squaredLength in *. unfold path, moved, minus in *; cbn [x y] in *.
       unfold Z.sub in *. repeat (rewrite inject_Z_plus || rewrite inject_Z_opp || rewrite inject_Z_mult).
       field. intros E. apply NL. repeat (rewrite inject_Z_plus || rewrite inject_Z_opp || rewrite inject_Z_mult). rewrite <- E. ring. }
     rewrite F. assert (G : (c * c / l <= 36)%Q) by (apply Qle_shift_div_r; lra).

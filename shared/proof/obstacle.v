@@ -1,6 +1,6 @@
 (** The obstacle of a segment for a convex shape: shared/physics/obstacle.cpp. *)
 From Coq Require Import ZArith QArith List Lia Lqa.
-From Platon Require Import point.
+From Platon Require Import fraction point.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -69,15 +69,6 @@ Proof.
   ring.
 Qed.
 
-Lemma inject_le m n : (inject_Z m <= inject_Z n)%Q <-> m <= n.
-Proof. unfold Qle; simpl. lia. Qed.
-
-Lemma inject_lt m n : (inject_Z m < inject_Z n)%Q <-> m < n.
-Proof. unfold Qlt; simpl. lia. Qed.
-
-Lemma inject_sub m n : (inject_Z (m - n) == inject_Z m - inject_Z n)%Q.
-Proof. unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. reflexivity. Qed.
-
 Lemma along_at_most n s share : (0 <= share <= 1)%Q ->
   (dotQ n (along s share) <= inject_Z (Z.max (dot n (a s)) (dot n (b s))))%Q.
 Proof.
@@ -106,22 +97,25 @@ Proof.
   destruct R as [R | R]; [| exact R]. exists h. split; [left; reflexivity | exact R].
 Qed.
 
+Lemma dotQ_opposite n q : (dotQ (opposite n) q == - dotQ n q)%Q.
+Proof. unfold dotQ, opposite; simpl. rewrite !inject_Z_opp. ring. Qed.
+
+Lemma dot_opposite n v : dot (opposite n) v = - dot n v.
+Proof. unfold dot, opposite; simpl. ring. Qed.
+
+(* Seen the other way round, the highest is the lowest. *)
+Lemma highest_is_lowest n vertices : highest n vertices = - lowest (opposite n) vertices.
+Proof.
+  unfold highest, lowest. rewrite dot_opposite. generalize (dot n (hd (point 0 0) vertices)).
+  induction vertices as [| h t IH]; intros z; simpl; [lia |]. rewrite IH, dot_opposite. do 2 f_equal. lia.
+Qed.
+
 Lemma highest_spec n vertices : vertices <> [] ->
   (forall v, In v vertices -> dot n v <= highest n vertices) /\ (exists v, In v vertices /\ highest n vertices = dot n v).
 Proof.
-  intros H. destruct vertices as [| h t]; [congruence |]. unfold highest; simpl hd.
-  assert (G : forall l z, (forall v, In v l -> dot n v <= fold_left (fun high v => Z.max high (dot n v)) l z) /\
-    z <= fold_left (fun high v => Z.max high (dot n v)) l z /\
-    (fold_left (fun high v => Z.max high (dot n v)) l z = z \/
-     exists v, In v l /\ fold_left (fun high v => Z.max high (dot n v)) l z = dot n v)).
-  { induction l as [| h' t' IH]; intros z; simpl; [split; [intros _ [] | split; [lia | auto]] |].
-    destruct (IH (Z.max z (dot n h'))) as (P & Q & R). split; [| split].
-    - intros v [<- | Hv]; [lia | auto].
-    - lia.
-    - destruct R as [R | (v & Hv & R)]; [| right; exists v; auto].
-      destruct (Z.max_spec z (dot n h')) as [[_ M] | [_ M]]; [right; exists h'; split; [auto | lia] | left; lia]. }
-  destruct (G (h :: t) (dot n h)) as (P & _ & R). split; [exact P |].
-  destruct R as [R | R]; [| exact R]. exists h. split; [left; reflexivity | exact R].
+  intros H. destruct (lowest_spec (opposite n) vertices H) as [A (v & V & E)]. rewrite highest_is_lowest. split.
+  - intros w W. specialize (A w W). rewrite dot_opposite in A. lia.
+  - exists v. split; [assumption |]. rewrite E, dot_opposite. lia.
 Qed.
 
 (** ** An overlap is on the inner side of every half plane *)
@@ -192,12 +186,6 @@ Proof.
     by (unfold dot, perpendicular, minus; simpl; ring).
   rewrite E. ring.
 Qed.
-
-Lemma dotQ_opposite n q : (dotQ (opposite n) q == - dotQ n q)%Q.
-Proof. unfold dotQ, opposite; simpl. rewrite !inject_Z_opp. ring. Qed.
-
-Lemma dot_opposite n v : dot (opposite n) v = - dot n v.
-Proof. unfold dot, opposite; simpl. ring. Qed.
 
 Theorem overlap_is_in_all vertices s p : vertices <> [] -> overlaps vertices s p ->
   forall h, In h (halfPlanes vertices s) -> isIn h p.

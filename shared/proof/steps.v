@@ -64,12 +64,9 @@ Definition begun (w : World) (before after : Instance) : Prop :=
   part after = part before /\ shape after = shape before /\ position after = position before /\
   forall k s, isSegment w after k s -> (In k (passed after) <-> overlapsNow before s).
 
-(** Two lists of instances, one by one. *)
-Definition eachOf (relation : Instance -> Instance -> Prop) (before after : list Instance) : Prop := Forall2 relation before after.
-
 Inductive operation (w : World) (rules : Rules) : list Instance -> list Instance -> Prop :=
-| moves : forall before after, eachOf (fun i j => exists d, moved w rules i j d) before after -> operation w rules before after
-| rotates : forall before after, eachOf (rotatedTo w rules) before after -> operation w rules before after
+| moves : forall before after, Forall2 (fun i j => exists d, moved w rules i j d) before after -> operation w rules before after
+| rotates : forall before after, Forall2 (rotatedTo w rules) before after -> operation w rules before after
 | inserts : forall body i, inserted w rules i -> operation w rules body (body ++ [i])
 | removes : forall before after, (forall i, In i after -> In i before) -> operation w rules before after.
 
@@ -79,7 +76,7 @@ Inductive history (w : World) (allowed : Rules -> Prop) : Rules -> list Instance
 | operates : forall rules first next others last,
     operation w rules first next -> history w allowed rules next others last -> history w allowed rules first others last
 | begins : forall rules new first next others last,
-    allowed new -> eachOf (begun w) first next -> history w allowed new next others last -> history w allowed rules first others last.
+    allowed new -> Forall2 (begun w) first next -> history w allowed new next others last -> history w allowed rules first others last.
 
 (** ** The proof *)
 
@@ -149,7 +146,7 @@ Proof.
   apply overlaps_at_start. assumption.
 Qed.
 
-Lemma each_before relation before after j : eachOf relation before after -> In j after -> exists i, In i before /\ relation i j.
+Lemma each_before (relation : Instance -> Instance -> Prop) before after j : Forall2 relation before after -> In j after -> exists i, In i before /\ relation i j.
 Proof.
   intros E. induction E as [| i' j' before after R E IH]; intros J; [contradiction |].
   destruct J as [<- | J]; [exists i'; split; [left; reflexivity | assumption] |].
@@ -173,7 +170,7 @@ Proof.
 Qed.
 
 Theorem beginnings_keep_free w rules before after :
-  eachOf (begun w) before after -> allConvex before -> allConvex after /\ isFree w rules after.
+  Forall2 (begun w) before after -> allConvex before -> allConvex after /\ isFree w rules after.
 Proof.
   intros E C. split.
   - intros j J. destruct (each_before _ _ _ j E J) as (i & I & (_ & Es & _)). rewrite Es. auto.
@@ -205,14 +202,14 @@ Proof.
   intros H. induction H as [rules body | rules first next others last O H IH | rules new first next others last A B H IH]; intros W C F K.
   - assumption.
   - destruct (operations_keep_free w rules first next O C F) as [C' F']. apply IH; try assumption.
+    assert (G : forall i j s, In i first -> part j = part i -> passesOn w rules i j -> part j = p -> isSegment w j k s -> ~ In k (passed j)).
+    { intros i j s I Ei P Ep S Q. destruct (proj1 (P k s S) Q) as [_ [Q' | Q']].
+      - apply (proj1 (K i s I ltac:(congruence) (same_segment w i j k s Ei S))). assumption.
+      - rewrite (W i) in Q'; [discriminate | congruence]. }
     assert (N : forall i s, In i next -> part i = p -> isSegment w i k s -> ~ In k (passed i)).
     { destruct O as [before after E | before after E | body i I | before after R]; intros j s J Ep S Q.
-      - destruct (each_before _ _ _ j E J) as (i & I & d & (Ei & _ & _ & P & _)). destruct (proj1 (P k s S) Q) as [_ [Q' | Q']].
-        + pose proof (same_segment w i j k s Ei S) as S'. apply (proj1 (K i s I ltac:(congruence) S')). assumption.
-        + rewrite (W i) in Q'; [discriminate | congruence].
-      - destruct (each_before _ _ _ j E J) as (i & I & (Ei & _ & _ & P & _)). destruct (proj1 (P k s S) Q) as [_ [Q' | Q']].
-        + pose proof (same_segment w i j k s Ei S) as S'. apply (proj1 (K i s I ltac:(congruence) S')). assumption.
-        + rewrite (W i) in Q'; [discriminate | congruence].
+      - destruct (each_before _ _ _ j E J) as (i & I & d & (Ei & _ & _ & P & _)). exact (G i j s I Ei P Ep S Q).
+      - destruct (each_before _ _ _ j E J) as (i & I & (Ei & _ & _ & P & _)). exact (G i j s I Ei P Ep S Q).
       - apply in_app_iff in J as [J | [<- | []]]; [apply (proj1 (K j s J Ep S)); assumption |].
         destruct I as (_ & _ & P). destruct (proj1 (P k s S) Q) as [_ Q']. rewrite (W i Ep) in Q'. discriminate.
       - apply (proj1 (K j s (R j J) Ep S)). assumption. }

@@ -77,23 +77,11 @@ Proof.
   unfold valid, value; intros H. unfold Qeq; simpl. rewrite Pos.mul_1_r, Z2Pos.id by assumption. ring.
 Qed.
 
-Lemma inject_positive z : 0 < z -> (0 < inject_Z z)%Q.
-Proof. unfold Qlt; simpl; lia. Qed.
-
-Lemma inject_not_negative z : 0 <= z -> (0 <= inject_Z z)%Q.
-Proof. unfold Qle; simpl; lia. Qed.
-
-Lemma inject_negative z : z < 0 -> (inject_Z z < 0)%Q.
-Proof. unfold Qlt; simpl; lia. Qed.
-
-Lemma inject_minus a b : (inject_Z (a - b) == inject_Z a - inject_Z b)%Q.
-Proof. unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. reflexivity. Qed.
-
 Lemma after_entering d t : enters d -> ((distanceAt d t < 0)%Q <-> (value (enterTime d) < t)%Q).
 Proof.
   intros H. pose proof (value_times _ (enterTime_valid d H)) as V. destruct H as [Hs Hf].
-  pose proof (inject_positive (start d - finish d) ltac:(lia)) as P.
-  unfold distanceAt. cbn [enterTime numerator denominator] in V. rewrite inject_minus in *.
+  assert (P : (0 < inject_Z (start d - finish d))%Q) by (apply (inject_lt 0); lia).
+  unfold distanceAt. cbn [enterTime numerator denominator] in V. rewrite inject_sub in *.
   set (s := inject_Z (start d)) in *. set (f := inject_Z (finish d)) in *. set (v := value (enterTime d)) in *.
   split; intros L; nra.
 Qed.
@@ -101,28 +89,28 @@ Qed.
 Lemma before_leaving d t : leaves d -> ((distanceAt d t < 0)%Q <-> (t < value (leaveTime d))%Q).
 Proof.
   intros H. pose proof (value_times _ (leaveTime_valid d H)) as V. destruct H as [Hs Hf].
-  pose proof (inject_positive (finish d - start d) ltac:(lia)) as P.
-  unfold distanceAt. cbn [leaveTime numerator denominator] in V. rewrite inject_minus in *. rewrite inject_Z_opp in V.
+  assert (P : (0 < inject_Z (finish d - start d))%Q) by (apply (inject_lt 0); lia).
+  unfold distanceAt. cbn [leaveTime numerator denominator] in V. rewrite inject_sub in *. rewrite inject_Z_opp in V.
   set (s := inject_Z (start d)) in *. set (f := inject_Z (finish d)) in *. set (v := value (leaveTime d)) in *.
   split; intros L; nra.
 Qed.
 
 Lemma inside_throughout d t : start d < 0 -> finish d < 0 -> during t -> (distanceAt d t < 0)%Q.
 Proof.
-  intros Hs Hf [T0 T1]. unfold distanceAt. rewrite inject_minus.
-  apply inject_negative in Hs, Hf. nra.
+  intros Hs Hf [T0 T1]. unfold distanceAt. rewrite inject_sub.
+  apply inject_lt in Hs, Hf. change (inject_Z 0) with 0%Q in *. nra.
 Qed.
 
 Lemma outside_throughout d t : 0 <= start d -> 0 <= finish d -> during t -> ~ (distanceAt d t < 0)%Q.
 Proof.
-  intros Hs Hf [T0 T1] L. unfold distanceAt in L. rewrite inject_minus in L.
-  apply inject_not_negative in Hs, Hf. nra.
+  intros Hs Hf [T0 T1] L. unfold distanceAt in L. rewrite inject_sub in L.
+  apply inject_le in Hs, Hf. change (inject_Z 0) with 0%Q in *. nra.
 Qed.
 
 Lemma enterTime_range d : enters d -> (0 <= value (enterTime d) < 1)%Q.
 Proof.
   intros H. pose proof (after_entering d 0 H) as A. pose proof (after_entering d 1 H) as B. destruct H as [Hs Hf].
-  unfold distanceAt in *. rewrite inject_minus in *. apply inject_not_negative in Hs. apply inject_negative in Hf.
+  unfold distanceAt in *. rewrite inject_sub in *. apply inject_le in Hs. apply inject_lt in Hf. change (inject_Z 0) with 0%Q in *.
   split.
   - apply Qnot_lt_le. intros L. apply A in L. lra.
   - apply B. lra.
@@ -131,7 +119,7 @@ Qed.
 Lemma leaveTime_range d : leaves d -> (0 < value (leaveTime d) <= 1)%Q.
 Proof.
   intros H. pose proof (before_leaving d 0 H) as A. pose proof (before_leaving d 1 H) as B. destruct H as [Hs Hf].
-  unfold distanceAt in *. rewrite inject_minus in *. apply inject_negative in Hs. apply inject_not_negative in Hf.
+  unfold distanceAt in *. rewrite inject_sub in *. apply inject_lt in Hs. apply inject_le in Hf. change (inject_Z 0) with 0%Q in *.
   split.
   - apply A. lra.
   - apply Qnot_lt_le. intros L. apply B in L. lra.
