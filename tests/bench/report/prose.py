@@ -39,7 +39,7 @@ MISSED = {
                                      "position, which float64 does not. What helped is in: a step that meets nothing ends early, a slide "
                                      "begins with the segment of the last step. Tried without effect: 64-bit tests before those with 128, "
                                      "instructions of x86-64-v3. Regions twice as large are faster here, but slower in a platformer.",
-    "with 10 000 bodies": "Many bodies: their caches do not fit into those of the processor. Fetching those of the next bodies in advance "
+    "a step, 10 000 bodies": "Many bodies: their caches do not fit into those of the processor. Fetching those of the next bodies in advance "
                           "helped little, and cost more with fewer bodies.",
     "`Game::advance`": "`Game::advance`: a player near an edge has several instances, each with its own segments near by, and the rules of the game come "
                        "on top of the step.",

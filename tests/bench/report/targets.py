@@ -8,7 +8,7 @@ PEERS = ("box2d-2.4", "chipmunk-7.0")
 RANDOM_SETS = ("random", "random-12-gon")
 
 RELATIVE = ", relative to float64"
-MANY = f"the same with {count(MANY_BODIES)} bodies, relative to {BODIES}"
+MANY = f"a step, {count(MANY_BODIES)} bodies, {count(SEGMENTS)} segments, relative to {BODIES} bodies"
 ADVANCE = "`Game::advance`, per player"
 NEW_ANGLES = "plane, rotating by 4.99°, new angles"
 MAX_LATTICE_ERROR = 2  # subunits
