@@ -288,16 +288,14 @@ TEST_F(RotateByTest, StopsAtTheLastFreeAngleAndSaysSo) {
 }
 
 TEST_F(RotateByTest, InsertsTheInstancesThatTheShapeReaches) {
-  world_ = twoStrips();
-  place(square(100), 1, {880, 0});
+  buildStrips({880, 0});
   ASSERT_EQ(instances_.all().size(), 1u);
   EXPECT_FALSE(turn(4500));
   EXPECT_EQ(instances_.all().size(), 2u) << "a corner is over the edge";
 }
 
 TEST_F(RotateByTest, ASegmentBehindAnEdgeBlocks) {
-  world_ = twoStrips({}, {{{-985, -500}, {-985, 500}}});
-  place(square(100), 1, {880, 0});
+  buildStrips({880, 0}, {{{-985, -500}, {-985, 500}}});
   const auto blocker = turn(4500);
   ASSERT_TRUE(blocker);
   EXPECT_EQ(blocker->part, 2u);

@@ -9,18 +9,14 @@ namespace {
 
 constexpr std::int64_t kOne = PrecisePoint::kOne;
 
+// Of a square of 200 by 200 that is 50 subunits before the edge between two strips.
+constexpr Point kBeforeTheEdge{850, 0};
+
 class LegTest : public StepParts {
  protected:
   Leg found(Point displacement) {
     step().place = precise(step().position());
     return findLeg(step(), {precise(displacement)});
-  }
-  // A square of 200 by 200 in the left one of two strips, 50 subunits before the edge.
-  void buildStrips(const std::vector<Segment>& second) {
-    world_ = twoStrips({}, second);
-    Entity entity(world_, square(100));
-    MapPart(world_, 1).insert(entity, {850, 0}, Angle());
-    start();
   }
 };
 
@@ -62,7 +58,7 @@ TEST_F(LegTest, IsShortenedToStayWithinTheCoordinates) {
 }
 
 TEST_F(LegTest, InsertsTheInstanceThatItNeeds) {
-  buildStrips({});
+  buildStrips(kBeforeTheEdge);
   EXPECT_EQ(found({40, 0}).end, Leg::End::kReached);
   EXPECT_EQ(instances_.all().size(), 1u) << "it ends 10 subunits before the edge";
   EXPECT_EQ(found({60, 0}).end, Leg::End::kReached);
@@ -71,7 +67,7 @@ TEST_F(LegTest, InsertsTheInstanceThatItNeeds) {
 }
 
 TEST_F(LegTest, EndsAtAWallBehindTheEdge) {
-  buildStrips({{{-900, -500}, {-900, 500}}});
+  buildStrips(kBeforeTheEdge, {{{-900, -500}, {-900, 500}}});
   const Leg leg = found({300, 0});
   EXPECT_EQ(leg.end, Leg::End::kStopped);
   EXPECT_EQ(leg.hit->placement, 1u);
@@ -80,7 +76,7 @@ TEST_F(LegTest, EndsAtAWallBehindTheEdge) {
 
 // The wall behind the edge protrudes to where the instance would be inserted.
 TEST_F(LegTest, EndsWhereItsInstanceCannotBePlaced) {
-  buildStrips({{{-1090, -500}, {-1090, 500}}});
+  buildStrips(kBeforeTheEdge, {{{-1090, -500}, {-1090, 500}}});
   const Leg leg = found({300, 0});
   EXPECT_EQ(leg.end, Leg::End::kRefused);
   ASSERT_TRUE(leg.isStopped());

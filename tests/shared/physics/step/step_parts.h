@@ -30,6 +30,13 @@ class StepParts : public testing::Test {
     MapPart(world_, 0).insert(entity, {0, 0}, Angle());
     start();
   }
+  /// A square of 200 by 200 at `at` in the left one of two strips (maps.h), whose other one has these segments.
+  void buildStrips(Point at, const std::vector<Segment>& second = {}) {
+    world_ = twoStrips({}, second);
+    Entity entity(world_, square(100));
+    MapPart(world_, 1).insert(entity, at, Angle());
+    start();
+  }
   /// Starts a step of the entity in world_.
   void start(StepObserver* observer = nullptr) {
     state_ = world_.entities()[0];

@@ -65,10 +65,7 @@ TEST_F(StepStateTest, RotatesAllShapes) {
 
 // Two strips in one line: the frame of the second one begins 2000 subunits farther right.
 TEST_F(StepStateTest, RehomeConvertsThePlaceIntoTheNewFrame) {
-  world_ = twoStrips();
-  Entity entity(world_, square(100));
-  MapPart(world_, 1).insert(entity, {950, 7}, Angle());
-  start();
+  buildStrips({950, 7});
   const PrecisePoint beside{5, -6};
   step().place = precise(Point(950, 7)) + beside;
   step().rehome();
@@ -84,10 +81,7 @@ TEST_F(StepStateTest, RehomeConvertsThePlaceIntoTheNewFrame) {
 }
 
 TEST_F(StepStateTest, RehomeCorrectsTheInstanceThatHasDrifted) {
-  world_ = twoStrips();
-  Entity entity(world_, square(100));
-  MapPart(world_, 1).insert(entity, {950, 7}, Angle());
-  start();
+  buildStrips({950, 7});
   ASSERT_EQ(instances_.all().size(), 2u);
   instances_.all()[1].anchor.x += 1;
   step().moveTo({1010, 7});
@@ -126,10 +120,7 @@ TEST_F(StepStateTest, RehomeTurnsTheIdealPathWithTheFrame) {
 }
 
 TEST_F(StepStateTest, DropsTheInstancesThatAreOutOfReach) {
-  world_ = twoStrips();
-  Entity entity(world_, square(100));
-  MapPart(world_, 1).insert(entity, {950, 7}, Angle());
-  start();
+  buildStrips({950, 7});
   ASSERT_EQ(instances_.all().size(), 2u);
   step().moveTo({893, 7});
   step().dropUnreached();
