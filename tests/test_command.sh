@@ -136,7 +136,7 @@ check_proof() {
   need "$to_test"
   configure release -DBUILD_TESTING=ON || exit 1
   build release platon-sweep-queries || exit 1
-  exec python3 -B "$root/tests/proof/check_proof.py" "$root" "$bin/platon-sweep-queries" 1000000 "$seed"
+  exec python3 -B "$root/tests/proof/check_proof.py" "$root" "$bin/platon-sweep-queries" "$seed"
 }
 
 run_tests() {
