@@ -125,8 +125,8 @@ std::optional<Point> nudged(StepState& step, const LegHit& end, PrecisePoint at,
   for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;
-    if (!isAhead(step, at, to) || dot(to - position, homeNormalOf(step.instances, end)) >= 0 || !step.allInRange(to))
-      continue;
+    if (!step.allInRange(from) || !step.allInRange(to)) continue;
+    if (!isAhead(step, at, to) || dot(to - position, homeNormalOf(step.instances, end)) >= 0) continue;
     if (continuesPast(step, end, at, from, to) && step.isFree(position, from) && step.mayBeAt(from)) return from;
   }
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "platon/exact/integer.h"
 #include "platon/physics/sweep.h"
 
 namespace platon {
@@ -43,6 +44,7 @@ void LegChecker::leg(std::uint32_t entity, std::span<const InstanceView> instanc
     checkFree(entity, view, shape);
     checkPath(entity, view, shape);
     checkPlace(entity, view, instances);
+    if (!isCoordinate(view.position.x) || !isCoordinate(view.position.y)) fault(entity, view, "is out of range");
     if (!now.emplace(std::pair(entity, view.id), Known{view.position, view.angle, view.part}).second) {
       fault(entity, view, "has the id of another instance");
     }

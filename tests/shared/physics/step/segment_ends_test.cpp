@@ -137,6 +137,23 @@ TEST(SlideOverJointsTest, PassesAPointSlightlyInsideTheFlank) {
   EXPECT_LE(scene.entity.position().y, -10000);
 }
 
+// At the coordinate limit, the places from which the body would pass the end are beyond it.
+TEST(SlideOverJointsTest, ANudgeStaysWithinTheCoordinateLimit) {
+  const Convex diamond({{0, -1100}, {100, -1000}, {0, -900}, {-100, -1000}});
+  const auto runFrom = [&](std::int32_t top) {
+    const Point joint(0, top - 1101);
+    Scene scene({{joint + Point(-300, 300), joint}, {joint + Point(2, 2), joint + Point(402, -398)}}, diamond,
+                {-1, top});
+    LegChecker checker(scene.world);
+    scene.entity.setVelocity({64, -64});
+    scene.world.solve(&checker);
+    EXPECT_EQ(checker.faults(), "");
+    return scene.entity.position();
+  };
+  EXPECT_EQ(runFrom(kCoordinateLimit - 1), Point(0, kCoordinateLimit - 2));
+  EXPECT_GE(runFrom(kCoordinateLimit - 3).x, 60);
+}
+
 // A body leans on the end of a wall, and a point is six subunits inside of its corner.
 TEST(SlideOverJointsTest, APointThatStandsAloneStopsTheBody) {
   const Convex octagon({{3365, -8823},
