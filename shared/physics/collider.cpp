@@ -187,7 +187,7 @@ bool Collider::isFreeInLeg(const Instances& instances, Point to) {
 }
 
 // Whether a straight move from the start of the leg to `place` stays so near to its path that no instance reaches other
-// segments than those in near_. Bounds: coordinates < 2^29, so that products are < 2^62.
+// segments than those in near_. Bounds: differences < 2^30, so that sums of two products are < 2^61.
 bool Collider::isNearLeg(Point place) const {
   // Rotated by 45° and rounded at both ends.
   static_assert(3 * Tolerances::kBeside + 2 * 2 < 2 * Tolerances::kNear);

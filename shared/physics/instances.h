@@ -39,7 +39,8 @@ struct Placement {
   bool fresh = false;      ///< see InstanceState; in a step, also of what it has inserted
   std::size_t region = 0;  ///< index among the entity's regions
 
-  /// The position of this instance when the home instance is at `home`.
+  /// The position of this instance when the home instance is at `home`. Bounds: cosine and sine together are at most
+  /// 1.5 * 2^30, so a rotated difference is below 1.5 * 2^30, and its sum with the anchor fits int32.
   Point at(Point home) const {
     const Point moved = home - homeAnchor;
     return anchor + (fromHome == Rotation::none() ? moved : rotate(moved, fromHome));

@@ -48,8 +48,8 @@ void Obstacle::build(const Convex& shape, const Segment& segment) {
   for (std::size_t side = 0; side < 2; ++side) features_[side] = sideFeature(shape, sides_[side].normal);
 }
 
-// A half plane contains a box when it contains the corner farthest along its normal. Bounds: the box is within
-// 2^30 + 2^28, so the distance is below 2^63.
+// A half plane contains a box when it contains the corner farthest along its normal. Bounds: positions are within
+// 2^29 + 2^12, so the box is within 2^30, and the distance below 2^62.
 void Obstacle::findRelevant(const Box& positions) {
   relevantBox_ = positions.grown(relevantMargin(shape_->bounds()));
   relevantGroups_ = 0;

@@ -9,7 +9,8 @@ Hit makeHit(const Sweep::ClipInterval& interval, Point normal, Point feature, Hi
 
 Hit insideHit(const Sweep::ClipInterval& interval) { return makeHit(interval, {}, {}, Hit::Side::kInside); }
 
-// The hit of an edge of the shape on an end of the segment, or on its side when the two are parallel.
+// The hit of an edge of the shape on an end of the segment, or on its side when the two are parallel. After a clip, the
+// side itself comes first; an ideal path that starts inside compares rounded depths, and may name the edge.
 Hit edgeHit(const Sweep::ClipInterval& interval, const Convex& shape, std::size_t edge, const Segment& segment) {
   const Point normal = shape.edges()[edge].normal;
   const std::int64_t along = dot(normal, segment.b - segment.a);

@@ -1,7 +1,7 @@
 (** Every intermediate result of a sweep fits the C++ type in which it stands: the bounds that
     shared/include/platon/physics/sweep.h and obstacle.h state. *)
 From Coq Require Import ZArith List Lia.
-From Platon Require Import fraction sweep point obstacle collision.
+From Platon Require Import fraction sweep point obstacle collision relevant.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -87,6 +87,28 @@ Proof.
   - split; [unfold isNormal, opposite in *; cbn [x y]; clear - N; numbers |]. clear - Q R. numbers.
 Qed.
 
+(** All half planes of an obstacle. *)
+Theorem half_planes_fit vertices s : vertices <> [] -> (forall v, In v vertices -> isPoint29 v) ->
+  isPoint29 (a s) -> isPoint29 (b s) ->
+  forall h, In h (halfPlanes vertices s) -> isNormal (normal h) /\ below 61 (offset h).
+Proof.
+  intros NE V A B h H. apply in_app_iff in H as [H | H].
+  - destruct (isPoint s); [contradiction | exact (side_offsets_fit _ _ NE V A B h H)].
+  - apply in_map_iff in H as (e & <- & H). apply in_edges in H as ([p q] & H & ->).
+    pose proof (in_combine_l _ _ _ _ H) as P. apply in_combine_r in H. apply (proj1 (rotate1_in _ _)) in H.
+    destruct (support_fits (p, q) (V p P) (V q H)) as [N S]. split; [exact N | apply (edge_offset_fits s _ N S A B)].
+Qed.
+
+(** edgeHit: segment.b - segment.a in int32, and its product with a normal, in int64 *)
+Theorem edge_hit_fits n s : isNormal n -> isPoint29 (a s) -> isPoint29 (b s) ->
+  let along := minus (b s) (a s) in
+  below 30 (x along) /\ below 30 (y along) /\
+  below 60 (x n * x along) /\ below 60 (y n * y along) /\ below 61 (dot n along).
+Proof.
+  intros N A B along. pose proof (difference_fits _ _ B A) as D. destruct (products_fit 30 n _ ltac:(lia) N D) as (P & Q & R).
+  destruct D. auto.
+Qed.
+
 (** ** The distances and times of a path: Sweep *)
 
 (** Obstacle::HalfPlane::oneNorm, in int32 *)
@@ -113,6 +135,24 @@ Proof.
   unfold below, fits in *; powers. lia.
 Qed.
 
+(** The same beyond the limit of coordinates, where a way is tested before its ends are: nudged, fallBack *)
+Theorem distances_fit_beyond h position displacement margin : isNormal (normal h) -> below 61 (offset h) ->
+  Z.abs (x position) <= 2 ^ 29 + 2 ^ 12 -> Z.abs (y position) <= 2 ^ 29 + 2 ^ 12 ->
+  Z.abs (x displacement) <= 2 ^ 30 + 2 ^ 13 -> Z.abs (y displacement) <= 2 ^ 30 + 2 ^ 13 -> isMargin margin ->
+  let d := endDistancesTo position displacement margin h in fits 64 (start d) /\ fits 64 (finish d) /\
+  fits 64 (start d - finish d) /\ fits 64 (- start d).
+Proof.
+  intros N O PX PY DX DY M. pose proof (one_norm_fits _ N) as K. destruct N as [NX NY].
+  assert (S : 0 <= oneNorm (normal h) * margin < 2 ^ 60) by (unfold isMargin in M; powers; nia).
+  assert (B : forall u v c, below 30 u -> Z.abs v <= c -> Z.abs (u * v) <= 2 ^ 30 * c).
+  { intros u v c U V. rewrite Z.abs_mul. unfold below in U. apply Z.mul_le_mono_nonneg; lia. }
+  pose proof (B _ _ _ NX PX) as P. pose proof (B _ _ _ NY PY) as Q. pose proof (B _ _ _ NX DX) as R. pose proof (B _ _ _ NY DY) as T.
+  unfold endDistancesTo, dot; cbn [start finish]. set (p := x (normal h) * x position) in *. set (q := y (normal h) * y position) in *.
+  set (r := x (normal h) * x displacement) in *. set (t := y (normal h) * y displacement) in *.
+  set (m := oneNorm (normal h) * margin) in *. set (o := offset h) in *. clearbody p q r t m o. clear B NX NY K M PX PY DX DY.
+  unfold below, fits in *. powers. repeat split; lia.
+Qed.
+
 (** Sweep::clipToSegment computes relative to the position: the ends of the segment are then below 2^30, and the offset,
     which is the distance at the start, below 1.5 * 2^61. *)
 Theorem relative_distances_fit e p d : isNormal (inwards e) -> below 60 (support e) ->
@@ -124,6 +164,54 @@ Proof.
   intros N S P D. destruct (displacement_product_fits _ _ N P) as (_ & _ & Q). destruct (displacement_product_fits _ _ N D) as (_ & _ & R).
   set (u := dot (inwards e) p) in *. set (w := dot (inwards e) d) in *. clearbody u w. clear N P D. cbv zeta.
   unfold below, fits in *; powers. lia.
+Qed.
+
+(** The same of the sides: the offsets are below 1.5 * 2^61, too. *)
+Theorem relative_sides_fit vertices s p : vertices <> [] -> (forall v, In v vertices -> isPoint29 v) ->
+  isPoint29 (a s) -> isPoint29 (b s) -> isPoint29 p ->
+  let left := perpendicular (minus (b (relativeTo p s)) (a (relativeTo p s))) in
+  isNormal left /\ below 61 (dot left (a (relativeTo p s))) /\
+  below 60 (lowest left vertices) /\ below 60 (highest left vertices) /\
+  forall h, In h (sideHalfPlanes vertices (relativeTo p s)) -> isNormal (normal h) /\ 2 * Z.abs (offset h) < 3 * 2 ^ 61.
+Proof.
+  intros NE V A B P left.
+  assert (N : isNormal left) by (unfold left; rewrite relative_difference; apply normal_fits; assumption).
+  destruct (lowest_spec left vertices NE) as [_ (u & U & EL)]. destruct (highest_spec left vertices NE) as [_ (w & W & EG)].
+  destruct (dot_fits left u N (V u U)) as (_ & _ & L). destruct (dot_fits left w N (V w W)) as (_ & _ & G).
+  destruct (displacement_product_fits left _ N (difference_fits _ _ A P)) as (_ & _ & H).
+  change (minus (a s) p) with (a (relativeTo p s)) in H. rewrite <- EL in L. rewrite <- EG in G.
+  split; [exact N |]. split; [exact H |]. split; [exact L |]. split; [exact G |].
+  intros h I. unfold sideHalfPlanes in I. fold left in I. destruct I as [<- | [<- | []]]; cbn [normal offset].
+  - split; [exact N |]. clear - H L. numbers.
+  - split; [unfold isNormal, opposite in *; cbn [x y]; clear - N; numbers |]. clear - H G. numbers.
+Qed.
+
+(** Sweep::endDistances of either, with a margin, in int64: below 2^62 and 1.5 * 2^62 *)
+Theorem relative_distances_fit_with_margin h d margin : isNormal (normal h) -> 2 * Z.abs (offset h) < 3 * 2 ^ 61 ->
+  below 30 (x d) /\ below 30 (y d) -> isMargin margin ->
+  let ends := endDistancesTo (point 0 0) d margin h in
+  start ends = offset h - oneNorm (normal h) * margin /\
+  below 62 (start ends) /\ 2 * Z.abs (finish ends) < 3 * 2 ^ 62 /\ fits 64 (finish ends).
+Proof.
+  intros N O D M. destruct (displacement_product_fits _ _ N D) as (_ & _ & R). pose proof (one_norm_fits _ N) as K.
+  assert (S : 0 <= oneNorm (normal h) * margin < 2 ^ 60) by (unfold isMargin in M; powers; nia).
+  assert (Z0 : dot (normal h) (point 0 0) = 0) by (unfold dot; cbn [x y]; ring).
+  unfold endDistancesTo; cbn [start finish]. rewrite Z0. set (w := dot (normal h) d) in *.
+  set (m := oneNorm (normal h) * margin) in *. set (o := offset h) in *. clearbody w m o. clear N D M K Z0.
+  unfold below, fits in *; powers. lia.
+Qed.
+
+(** Sweep::clip: half.offset - dot(half.normal, position_), in int64, is the offset of the half plane of the segment *)
+Theorem separating_fits vertices s p : vertices <> [] -> (forall v, In v vertices -> isPoint29 v) ->
+  isPoint29 (a s) -> isPoint29 (b s) -> isPoint29 p ->
+  forall h, In h (halfPlanes vertices (relativeTo p s)) ->
+  below 60 (dot (normal h) p) /\ below 61 (offset h - dot (normal h) p) /\
+  In (halfPlane (normal h) (offset h - dot (normal h) p)) (halfPlanes vertices s).
+Proof.
+  intros NE V A B P h H. rewrite relative_half_planes in H. apply in_map_iff in H as (g & <- & H).
+  destruct (half_planes_fit _ _ NE V A B g H) as [N O]. destruct (dot_fits _ _ N P) as (_ & _ & Q).
+  unfold relativeHalfPlane; cbn [normal offset]. rewrite Z.add_simpl_r. split; [exact Q |]. split; [exact O |].
+  destruct g; exact H.
 Qed.
 
 (** The quotients of Sweep::cross, in int64: their numerators and denominators *)

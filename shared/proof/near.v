@@ -1,40 +1,10 @@
-(** The segments that suffice: the half planes that are relevant for a box (Obstacle::findRelevant), and the segments
-    that are near to a leg (Collider::isNearLeg). *)
+(** The segments that are near to a leg suffice for a move beside it: Collider::isNearLeg, isFreeInLeg. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction point obstacle convex collision.
+From Platon Require Import fraction sweep point obstacle convex collision boxes rounding.
 Import ListNotations.
 Open Scope Z_scope.
 
-(** ** Relevant half planes *)
-
-Definition isInBox (area : Box) (p : Place) : Prop :=
-  (inject_Z (x (low area)) <= px p <= inject_Z (x (high area)))%Q /\
-  (inject_Z (y (low area)) <= py p <= inject_Z (y (high area)))%Q.
-
-(** The corner of the box that is farthest along the normal. *)
-Definition farthest (n : Point) (area : Box) : Point :=
-  point (if 0 <? x n then x (high area) else x (low area)) (if 0 <? y n then y (high area) else y (low area)).
-Definition isRelevant (area : Box) (h : HalfPlane) : bool := 0 <=? dot (normal h) (farthest (normal h) area) + offset h.
-
-Lemma farthest_along (n l u : Z) (q : Q) : (inject_Z l <= q <= inject_Z u)%Q ->
-  (inject_Z n * q <= inject_Z (n * (if 0 <? n then u else l)))%Q.
-Proof.
-  intros [L U]. rewrite inject_Z_mult. destruct (Z.ltb_spec 0 n) as [N | N].
-  - apply (inject_lt 0) in N. change (inject_Z 0) with 0%Q in N. set (m := inject_Z n) in *. clearbody m. nra.
-  - apply inject_le in N. change (inject_Z 0) with 0%Q in N. set (m := inject_Z n) in *. clearbody m. nra.
-Qed.
-
-(** A place in the box is inside of all half planes if it is inside of those that are relevant. *)
-Theorem relevant_suffice area hs p : isInBox area p ->
-  ((forall h, In h hs -> isIn h p) <-> forall h, In h hs -> isRelevant area h = true -> isIn h p).
-Proof.
-  intros [X Y]. split; [auto |]. intros A h H. destruct (isRelevant area h) eqn:R; [auto |].
-  unfold isRelevant in R. apply Z.leb_gt in R. unfold isIn, dotQ.
-  pose proof (farthest_along (x (normal h)) _ _ _ X) as FX. pose proof (farthest_along (y (normal h)) _ _ _ Y) as FY.
-  unfold dot, farthest in R; cbn [x y] in R. apply inject_lt in R. rewrite !inject_Z_plus in R. change (inject_Z 0) with 0%Q in R. lra.
-Qed.
-
-(** ** Segments near to a leg *)
+(** ** Near in the frame of the home instance *)
 
 Definition squared (p : Place) : Q := (px p * px p + py p * py p)%Q.
 Definition squaredLength (p : Point) : Z := x p * x p + y p * y p.
@@ -166,4 +136,126 @@ Proof.
     assert (0 <= o * o)%Q by nra. set (m := (o * o)%Q) in *. clearbody m. nra. }
   apply Qnot_lt_le. intros L. assert (0 <= 12 * o)%Q by lra.
   assert (12 * o * (12 * o) < w * w)%Q by nra. lra.
+Qed.
+
+(** ** In the frame of an instance *)
+
+(** Rotation, with 30 fractional bits, and Placement. *)
+Record Rotation := rotation { cosine : Z; sine : Z }.
+Record Placement := placement { fromHome : Rotation; homeAnchor : Point; anchor : Point }.
+
+Definition rotate (v : Point) (r : Rotation) : Point :=
+  point (shiftRounded 30 (x v * cosine r - y v * sine r)) (shiftRounded 30 (x v * sine r + y v * cosine r)).
+(** Placement::at *)
+Definition placeOf (f : Placement) (home : Point) : Point :=
+  let moved := rotate (minus home (homeAnchor f)) (fromHome f) in point (x (anchor f) + x moved) (y (anchor f) + y moved).
+
+(** The rotation by 0°, which the C++ does not carry out, changes nothing. *)
+Theorem rotation_by_none v : rotate v (rotation (2 ^ 30) 0) = v.
+Proof.
+  assert (E : forall n, shiftRounded 30 (n * 2 ^ 30) = n).
+  { intros n. rewrite shiftRounded_is_divideRounded by lia. destruct (divideRounded_is_nearest (n * 2 ^ 30) (2 ^ 30) ltac:(lia)) as [A _].
+    set (q := divideRounded _ _) in *. clearbody q. change (2 ^ 30) with 1073741824 in *. lia. }
+  destruct v as [vx vy]. unfold rotate; cbn [x y cosine sine]. rewrite !Z.mul_0_r, Z.sub_0_r, Z.add_0_l, !E. reflexivity.
+Qed.
+
+(** A vector grows by less than half a percent when it is rotated. What rotationOf gives for each angle is a rotation: a test
+    asks for all (AngleTest.IsARotationAsTheProofDefinesIt). *)
+Definition isRotation (r : Rotation) : Prop :=
+  Z.abs (cosine r) <= 2 ^ 30 /\ Z.abs (sine r) <= 2 ^ 30 /\ 100 * (cosine r * cosine r + sine r * sine r) <= 101 * 2 ^ 60.
+
+Lemma rounded_by_half n : exists e, (- (1 # 2) <= e <= 1 # 2)%Q /\ (inject_Z (shiftRounded 30 n) == inject_Z n / inject_Z (2 ^ 30) + e)%Q.
+Proof.
+  rewrite shiftRounded_is_divideRounded by lia. destruct (divideRounded_is_nearest n (2 ^ 30) ltac:(lia)) as [A _].
+  set (q := divideRounded n (2 ^ 30)) in *. clearbody q. exists (inject_Z q - inject_Z n / inject_Z (2 ^ 30))%Q. split; [| ring].
+  change (2 ^ 30) with 1073741824 in *. assert (B : - 1073741824 <= 2 * (q * 1073741824 - n) <= 1073741824) by lia. destruct B as [L U].
+  apply inject_le in L, U. rewrite inject_Z_mult, inject_sub, inject_Z_mult in L, U.
+  change (inject_Z 1073741824) with (1073741824 # 1)%Q in *. change (inject_Z (-1073741824)) with (-1073741824 # 1)%Q in *.
+  change (inject_Z 2) with (2 # 1)%Q in *. set (u := inject_Z q) in *. set (w := inject_Z n) in *. clearbody u w.
+  assert (E : (w / (1073741824 # 1) == w * (1 # 1073741824))%Q) by reflexivity. rewrite E. split; lra.
+Qed.
+
+Definition scaled (n : Z) : Q := (inject_Z n / inject_Z (2 ^ 30))%Q.
+
+Lemma place_in_frame f p : exists ex ey, (- (1 # 2) <= ex <= 1 # 2)%Q /\ (- (1 # 2) <= ey <= 1 # 2)%Q /\
+  let c := scaled (cosine (fromHome f)) in let s := scaled (sine (fromHome f)) in
+  let u := inject_Z (x p - x (homeAnchor f)) in let v := inject_Z (y p - y (homeAnchor f)) in
+  (inject_Z (x (placeOf f p)) == inject_Z (x (anchor f)) + (c * u - s * v + ex))%Q /\
+  (inject_Z (y (placeOf f p)) == inject_Z (y (anchor f)) + (s * u + c * v + ey))%Q.
+Proof.
+  unfold placeOf, rotate, minus; cbn [x y].
+  set (u := x p - x (homeAnchor f)). set (v := y p - y (homeAnchor f)). set (cz := cosine (fromHome f)). set (sz := sine (fromHome f)).
+  destruct (rounded_by_half (u * cz - v * sz)) as (ex & EX & X). destruct (rounded_by_half (u * sz + v * cz)) as (ey & EY & Y).
+  exists ex, ey. split; [exact EX | split; [exact EY |]]. cbv zeta. rewrite !inject_Z_plus, X, Y, inject_sub, inject_Z_plus, !inject_Z_mult.
+  unfold scaled, Qdiv. set (k := (/ inject_Z (2 ^ 30))%Q). clearbody k. split; ring.
+Qed.
+
+(* Of three roundings, at most the sum of two remains. *)
+Lemma roundings_remain t r a b g : (0 <= t <= 1)%Q -> (0 <= r <= 1)%Q -> (- (1 # 2) <= a <= 1 # 2)%Q -> (- (1 # 2) <= b <= 1 # 2)%Q ->
+  (- (1 # 2) <= g <= 1 # 2)%Q -> let e := (t * (g - a) - r * (b - a))%Q in (e * e <= 1)%Q.
+Proof.
+  intros T R A B G e. assert (E : (-1 <= e <= 1)%Q); [| nra].
+  assert (M : forall w z, (0 <= w)%Q -> (- (1 # 2) <= z <= 1 # 2)%Q -> (- (1 # 2) * w <= w * z <= (1 # 2) * w)%Q).
+  { intros w z W Z0. assert (0 <= w * (z + (1 # 2)))%Q by (apply Qmult_le_0_compat; lra).
+    assert (0 <= w * ((1 # 2) - z))%Q by (apply Qmult_le_0_compat; lra). lra. }
+  pose proof (M t g ltac:(lra) G) as TG. pose proof (M r b ltac:(lra) B) as RB.
+  assert (F : (e == t * g - r * b + (r - t) * a)%Q) by (unfold e; ring). rewrite F.
+  destruct (Qlt_le_dec r t) as [L | L].
+  - pose proof (M (t - r)%Q a ltac:(lra) A) as D. assert (N : ((r - t) * a == - ((t - r) * a))%Q) by ring. rewrite N. lra.
+  - pose proof (M (r - t)%Q a ltac:(lra) A) as D. lra.
+Qed.
+
+(* The difference between a place of one straight move of an instance and a place of another, which begins at the same place:
+   that of the home instance, rotated, and what remains of the roundings. *)
+Lemma difference_in_frame f from to at_ t r : (0 <= t <= 1)%Q -> (0 <= r <= 1)%Q ->
+  let d := minusQ (pathAt from (minus at_ from) t) (pathAt from (minus to from) r) in
+  let c := scaled (cosine (fromHome f)) in let s := scaled (sine (fromHome f)) in
+  exists ex ey, (ex * ex + ey * ey <= 2)%Q /\
+    let moved := minusQ (pathAt (placeOf f from) (minus (placeOf f at_) (placeOf f from)) t)
+                        (pathAt (placeOf f from) (minus (placeOf f to) (placeOf f from)) r) in
+    (px moved == c * px d - s * py d + ex)%Q /\ (py moved == s * px d + c * py d + ey)%Q.
+Proof.
+  intros T R d c s.
+  destruct (place_in_frame f from) as (ax & ay & AX & AY & EAX & EAY). destruct (place_in_frame f to) as (bx & by_ & BX & BY & EBX & EBY).
+  destruct (place_in_frame f at_) as (gx & gy & GX & GY & EGX & EGY). fold c s in EAX, EAY, EBX, EBY, EGX, EGY.
+  exists (t * (gx - ax) - r * (bx - ax))%Q, (t * (gy - ay) - r * (by_ - ay))%Q. split.
+  - pose proof (roundings_remain t r ax bx gx T R AX BX GX) as X. pose proof (roundings_remain t r ay by_ gy T R AY BY GY) as Y.
+    cbv zeta in X, Y. lra.
+  - unfold d, minusQ, pathAt, minus; cbn [x y px py]. rewrite !inject_sub, EAX, EAY, EBX, EBY, EGX, EGY, !inject_sub. clearbody c s. split; ring.
+Qed.
+
+Lemma scaled_rotation f : isRotation f -> (scaled (cosine f) * scaled (cosine f) + scaled (sine f) * scaled (sine f) <= 101 # 100)%Q.
+Proof.
+  intros (_ & _ & H). apply inject_le in H. rewrite !inject_Z_mult, inject_Z_plus, !inject_Z_mult in H.
+  unfold scaled, Qdiv. set (u := inject_Z (cosine f)) in *. set (w := inject_Z (sine f)) in *. clearbody u w.
+  set (k := (/ inject_Z (2 ^ 30))%Q). assert (K : (k * k * inject_Z (2 ^ 60) == 1)%Q) by reflexivity.
+  assert (P : (0 <= k * k)%Q) by (vm_compute; discriminate).
+  change (inject_Z 100) with (100 # 1)%Q in H. change (inject_Z 101) with (101 # 1)%Q in H.
+  set (z := inject_Z (2 ^ 60)) in *. clearbody k z.
+  assert (M : (0 <= k * k * ((101 # 1) * z - (100 # 1) * (u * u + w * w)))%Q) by (apply Qmult_le_0_compat; lra).
+  assert (E : (k * k * ((101 # 1) * z - (100 # 1) * (u * u + w * w)) == (101 # 1) * (k * k * z) - (100 # 1) * (u * k * (u * k) + w * k * (w * k)))%Q) by ring.
+  rewrite E, K in M. lra.
+Qed.
+
+(** Wherever an instance overlaps a segment on a move that is near to a leg, the segment is near to the leg: neither its box
+    nor the clip of the leg, both with the margin kNear, exclude it. So it is enough to compare the move with those. *)
+Theorem near_segments_suffice f from to at_ vertices s t : strictlyConvex vertices -> isRotation (fromHome f) ->
+  isNearLeg from to at_ = true -> during t ->
+  overlapsAt vertices s (placeOf f from) (minus (placeOf f at_) (placeOf f from)) t ->
+  overlapsBox (boundsOfSweep vertices (placeOf f from) (minus (placeOf f to) (placeOf f from)) kNear) (boundsOf s) = true /\
+  clipAgainst vertices s (placeOf f from) (minus (placeOf f to) (placeOf f from)) kNear <> None.
+Proof.
+  intros C K N T O. destruct (near_is_near from to at_ t N T) as (r & R & D).
+  destruct (difference_in_frame f from to at_ t r T R) as (ex & ey & E & X & Y).
+  pose proof (near_in_every_frame _ _ _ _ _ _ (scaled_rotation _ K) D E) as W. unfold overlapsAt in O.
+  set (p := pathAt (placeOf f from) (minus (placeOf f at_) (placeOf f from)) t) in *.
+  set (q := pathAt (placeOf f from) (minus (placeOf f to) (placeOf f from)) r) in *.
+  rewrite <- X, <- Y in W. unfold minusQ in W; cbn [px py] in W.
+  split.
+  - apply (boxes_with_margin_reject_soundly vertices s _ _ kNear r p); [destruct C as (L & _); destruct vertices; [simpl in L; lia | discriminate] | exact R | | exact O].
+    fold q. unfold isBeside, kNear. change (inject_Z 12) with (12 # 1)%Q. set (u := (px p - px q)%Q) in *. set (v := (py p - py q)%Q) in *.
+    clearbody u v. clear - W. pose proof (square_positive u). pose proof (square_positive v). split; nra.
+  - intros M. apply (proj1 (misses_exactly_with_margin vertices s _ _ kNear) M r R). intros h H. fold q.
+    apply (near_is_within_margin h p q); [apply (proj1 (obstacle_is_exact vertices s p C) O h H) |].
+    unfold squared, minusQ; cbn [px py]. apply Qle_trans with (2 := W). apply Qle_lteq. right. ring.
 Qed.

@@ -1,6 +1,6 @@
 (** Why nothing ever overlaps (I1): induction over the operations of steps. docs/exactness.md says it in words. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle convex collision.
+From Platon Require Import fraction sweep point obstacle convex collision boxes near.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -218,6 +218,21 @@ Proof.
     intros j s J Ep S. destruct (each_before _ _ _ j B J) as (i & I & (Ei & Es & Eq & P)).
     pose proof (same_segment w i j k s Ei S) as S'. destruct (K i s I ltac:(congruence) S') as [_ O].
     split; [intros Q; apply O; apply (P k s S); assumption | unfold overlapsNow in *; rewrite Es, Eq; assumption].
+Qed.
+
+(** ** One premise, for moves beside a leg: what is near to the leg is all that such a move can meet (Collider::isFreeInLeg). *)
+
+(** The segments that the leg of an instance has listed: all that neither its box nor its clip exclude, with the margin kNear. *)
+Definition listsAll (w : World) (i : Instance) (leg : Point) (listed : list nat) : Prop :=
+  forall k s, isSegment w i k s -> overlapsBox (boundsOfSweep (shape i) (position i) leg kNear) (boundsOf s) = true ->
+    clipAgainst (shape i) s (position i) leg kNear <> None -> In k listed.
+
+Theorem near_list_finds_all w i f from to at_ listed : strictlyConvex (shape i) -> isRotation (fromHome f) ->
+  position i = placeOf f from -> isNearLeg from to at_ = true ->
+  listsAll w i (minus (placeOf f to) (position i)) listed -> findsAll w i (shape i) (minus (placeOf f at_) (position i)) listed.
+Proof.
+  intros C R P N L k s t I T O. rewrite P in *. destruct (near_segments_suffice f from to at_ (shape i) s t C R N T O) as [A B].
+  apply (L k s I); rewrite P; assumption.
 Qed.
 
 (** ** The premises can be met: a square moves towards a wall, and stops where it touches it. *)

@@ -28,4 +28,10 @@ FAULTS = [
     Fault("far-side-lost", PHYSICS + "obstacle.cpp",
           "    highest = std::max(highest, height);", "    highest = std::max(highest, lowest);",
           "the far side of the shape is lost", BRIDGE),
+    Fault("last-feature", PHYSICS + "obstacle.cpp", "    if (height < lowest) feature = vertex;", "    if (height <= lowest) feature = vertex;",
+          "of two vertices on a side the last one touches it", BRIDGE),
+    Fault("kept-plane-misplaced", PHYSICS + "sweep.cpp", "half.offset - dot(half.normal, position_)}", "half.offset}",
+          "the half plane that is kept stays relative to the position", BRIDGE),
+    Fault("kept-plane-of-the-start", PUBLIC_PHYSICS + "sweep.h", "return distances.start >= 0 && distances.end >= 0;",
+          "return distances.start >= 0;", "a half plane excludes a path that leads into it", BRIDGE),
 ]  # fmt: skip

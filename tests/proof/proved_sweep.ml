@@ -1,6 +1,6 @@
 (* Answers queries with the function that is proved. A line of stdin is a query: the margin, the position, the
    displacement, both ends of the segment, the number of vertices, the vertices; a line of stdout its answer: "miss", or
-   the quotient of the time, that of the exit, and the normal. *)
+   the quotient of the time, that of the exit, the side, the normal, and the feature. *)
 let z = Big_int_Z.big_int_of_int
 let point x y = { Proved.x = z x; y = z y }
 
@@ -20,11 +20,12 @@ let answer line =
       (match Proved.clipAgainst shape segment (point px py) (point dx dy) (z margin) with
        | None -> "miss"
        | Some interval ->
-           let normal = Proved.hitOf shape segment interval in
+           let hit = Proved.hitOf shape segment interval in
+           let side = match hit.side0 with KInside -> 0 | KSegment -> 1 | KSegmentEnd -> 2 in
            String.concat " "
              (List.map Big_int_Z.string_of_big_int
-                [ interval.enter.numerator; interval.enter.denominator; interval.exit.numerator;
-                  interval.exit.denominator; normal.x; normal.y ]))
+                [ hit.time.numerator; hit.time.denominator; hit.exit_.numerator; hit.exit_.denominator; z side;
+                  hit.normal_.x; hit.normal_.y; hit.feature.x; hit.feature.y ]))
   | _ -> failwith ("not a query: " ^ line)
 
 let () =

@@ -10,9 +10,11 @@
 
 #include "platon/exact/integer.h"
 #include "platon/physics/convex.h"
+#include "platon/physics/map_geometry.h"
 #include "platon/physics/obstacle.h"
 #include "platon/physics/segment.h"
 #include "platon/physics/sweep.h"
+#include "shared/physics/region.h"
 #include "shared/physics/tolerances.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
@@ -50,6 +52,8 @@ class Scene {
       : random_(random), reach_(reach), shape_(drawShape(random, reach)), segment_{random.vector(reach), {}} {
     segment_.b = random.below(8) == 0 ? segment_.a : random.vector(reach);
     obstacle_.build(shape_, segment_);
+    part_.segments = {segment_};
+    part_.grid = Grid(part_.segments);
   }
 
   Query draw() {
@@ -74,6 +78,7 @@ class Scene {
   Answer answer(const Query& query) {
     sweep_.start(shape_, query.position, query.displacement, query.margin);
     const Answer first = sweep_.against(segment_);
+    require(isSame(first, throughRegion(query)), "a region", query);
     if (sweep_.misses(boundsOf(segment_))) return first;
     Obstacle fresh;
     fresh.build(shape_, segment_);
@@ -104,6 +109,19 @@ class Scene {
     const Point first = vertex();
     return vertex() - first;
   }
+  // As the step asks: what earlier queries have left in the region may answer.
+  Answer throughRegion(const Query& query) {
+    constexpr Box kEverything{{-kCoordinateLimit, -kCoordinateLimit}, {kCoordinateLimit, kCoordinateLimit}};
+    // With a margin, a corner of the obstacle may be met outside of the bounds of the sweep.
+    region_.cover(part_, query.margin == 0 ? sweep_.bounds() : kEverything, work_);
+    const auto entry = region_.entryOf(0);
+    if (!entry) return std::nullopt;
+    const bool mayOverlap = random_.below(2) == 0 || region_.mayOverlap(sweep_, *entry, shape_);
+    const auto interval = region_.clip(sweep_, *entry, shape_);
+    require(!interval || (mayOverlap && region_.mayOverlap(sweep_, *entry, shape_)), "a region that may be left out",
+            query);
+    return interval ? Answer(region_.hitOf(*entry, *interval)) : std::nullopt;
+  }
   Answer hit(const std::optional<Sweep::ClipInterval>& interval) const {
     return interval ? Answer(Sweep::hitOf(obstacle_, *interval)) : std::nullopt;
   }
@@ -118,6 +136,9 @@ class Scene {
   Convex shape_;
   Segment segment_;
   Obstacle obstacle_;
+  MapGeometry part_{};
+  Region region_;
+  Region::Work work_;
   Sweep sweep_;
 };
 
@@ -126,7 +147,10 @@ std::string text(const Answer& answer) {
   std::string line;
   for (const Fraction& time : {answer->time, answer->exit})
     line += std::to_string(time.numerator) + " " + std::to_string(time.denominator) + " ";
-  return line + std::to_string(answer->normal.x) + " " + std::to_string(answer->normal.y);
+  line += std::to_string(static_cast<int>(answer->side));
+  for (const Point point : {answer->normal, answer->feature})
+    line += " " + std::to_string(point.x) + " " + std::to_string(point.y);
+  return line;
 }
 
 }  // namespace

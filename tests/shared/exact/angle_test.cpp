@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -52,6 +53,16 @@ TEST(AngleTest, RotationsAreExactTo29Bits) {
     const long double sine = std::sin(radians(centidegrees)) * kOne;
     ASSERT_LE(std::abs(static_cast<long double>(direction.cosine) - cosine), 2) << centidegrees;
     ASSERT_LE(std::abs(static_cast<long double>(direction.sine) - sine), 2) << centidegrees;
+  }
+}
+
+// shared/proof/near.v
+TEST(AngleTest, IsARotationAsTheProofDefinesIt) {
+  constexpr std::int64_t kWhole = std::int64_t{1} << Rotation::kFractionBits;
+  for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; ++centidegrees) {
+    const auto [cosine, sine] = rotationOf(Angle(centidegrees));
+    ASSERT_LE(std::max(std::abs(cosine), std::abs(sine)), kWhole) << centidegrees;
+    ASSERT_LE(int128{100} * (cosine * cosine + sine * sine), int128{101} * kWhole * kWhole) << centidegrees;
   }
 }
 

@@ -36,7 +36,9 @@ class Obstacle {
   }
   /// The half planes of the left and the right side of the segment. Requires segment.a != segment.b.
   static std::array<HalfPlane, 2> sideHalfPlanes(const Convex& shape, const Segment& segment);
-  /// The vertex of the shape that touches a side with this normal: the first one with the smallest dot(normal, vertex).
+  /// The vertex of the shape that reaches the line of a side with this normal first: the one with the smallest
+  /// dot(normal, vertex), relative to the position. Of the two of a parallel edge, the first in the shape's order, even
+  /// if it is beyond the end of the segment.
   static Point sideFeature(const Convex& shape, Point normal);
 
   /// An empty obstacle; call `build` before any query.
@@ -81,7 +83,7 @@ class Obstacle {
     }
     return true;
   }
-  /// The vertex of the shape that touches side 0 or 1.
+  /// As above, of side 0 or 1.
   Point sideFeature(std::size_t side) const { return features_[side]; }
 
  private:

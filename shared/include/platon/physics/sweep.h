@@ -21,9 +21,9 @@ struct Hit {
   };
 
   Fraction time;  ///< start of the overlap as a fraction of the displacement, in [0, 1)
-  Fraction exit;  ///< end of the overlap, in (time, 1]; 1 when the overlap lasts to the end of the displacement
+  Fraction exit;  ///< end of the overlap, in (time, 1]; 1/1 when the overlap lasts to the end of the displacement
   Point normal;   ///< outward normal of the entered edge, coordinates below 2^30; (0, 0) for kInside
-  Point feature;  ///< kSegment: touching vertex of the shape, relative to its position; kSegmentEnd: touching end
+  Point feature;  ///< kSegment: see Obstacle::sideFeature; kSegmentEnd: the touching end of the segment
   Side side = Side::kInside;
 };
 
@@ -79,7 +79,8 @@ class Sweep {
   /// As `clip`, without a prebuilt obstacle. When one half plane of the obstacle alone excludes the displacement,
   /// writes it to `separating`.
   std::optional<ClipInterval> clip(const Segment& segment, Obstacle::HalfPlane& separating) const;
-  /// Second half of `against`: the collision that belongs to the result of `clip`.
+  /// Second half of `against`: the collision that belongs to the result of `clip`, or to an interval that only has
+  /// `enter` and `entered`; its `exit` then means nothing.
   static Hit hitOf(const Obstacle& obstacle, const ClipInterval& interval);
   static Hit hitOf(const Convex& shape, const Segment& segment, const ClipInterval& interval);
 
