@@ -62,6 +62,7 @@ install(DIRECTORY ${pages} DESTINATION ${PLATON_DOC_FOLDER} COMPONENT data
         FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg PATTERN *.gif)
 install(FILES ${tree}/README.md ${tree}/CHANGELOG.md ${tree}/CONTRIBUTING.md ${tree}/SECURITY.md
         DESTINATION ${PLATON_DOC_FOLDER} COMPONENT data)
+install(DIRECTORY ${tree}/shared/proof DESTINATION ${PLATON_DOC_FOLDER}/shared COMPONENT data)
 install(FILES ${tree}/tests/client/gl/golden/elements.png
         DESTINATION ${PLATON_DOC_FOLDER}/tests/client/gl/golden COMPONENT data)
 

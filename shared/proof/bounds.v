@@ -1,7 +1,7 @@
 (** Every intermediate result of a sweep fits the C++ type in which it stands: the bounds that
     shared/include/platon/physics/sweep.h and obstacle.h state. *)
 From Coq Require Import ZArith List Lia.
-From Platon Require Import fraction sweep point obstacle collision relevant.
+From Platon Require Import sweep point obstacle obstacle_exact collision relevant.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,6 +1,6 @@
 (** Rejection by boxes: Sweep::misses, Region::mayOverlap. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle collision.
+From Platon Require Import fraction sweep point obstacle obstacle_exact collision.
 Import ListNotations.
 Open Scope Z_scope.
 

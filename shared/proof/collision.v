@@ -1,6 +1,6 @@
 (** A shape that moves along a straight path and a segment: Sweep::against in shared/physics/sweep.cpp. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle.
+From Platon Require Import fraction sweep clip_known sweep_exact point obstacle obstacle_exact.
 Import ListNotations.
 Open Scope Z_scope.
 

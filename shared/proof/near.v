@@ -1,6 +1,6 @@
 (** The segments that are near to a leg suffice for a move beside it: Collider::isNearLeg, isFreeInLeg. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle convex collision boxes rounding.
+From Platon Require Import fraction sweep point obstacle obstacle_exact polygon collision boxes rounding.
 Import ListNotations.
 Open Scope Z_scope.
 

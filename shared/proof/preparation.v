@@ -1,7 +1,7 @@
 (** Every intermediate result of what prepares a sweep fits the C++ type in which it stands: boxes, shapes, what is near
     to a leg, and the positions of instances. *)
 From Coq Require Import ZArith List Lia.
-From Platon Require Import fraction point obstacle collision convex boxes relevant near rounding bounds.
+From Platon Require Import point obstacle obstacle_exact polygon boxes relevant near rounding bounds.
 Import ListNotations.
 Open Scope Z_scope.
 

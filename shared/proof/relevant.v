@@ -1,7 +1,7 @@
 (** What a sweep may leave out: half planes that are not relevant for a box (Obstacle::visitRelevant), all of them if one
     is known to exclude the path (Sweep::isExcluded), and the products with the position (Sweep::clipToSegment). *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle collision boxes.
+From Platon Require Import fraction sweep sweep_exact point obstacle collision boxes.
 Import ListNotations.
 Open Scope Z_scope.
 

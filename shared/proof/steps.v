@@ -1,6 +1,6 @@
 (** Why nothing ever overlaps (I1): induction over the operations of steps. docs/exactness.md says it in words. *)
 From Coq Require Import ZArith QArith List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle convex collision boxes near.
+From Platon Require Import sweep point obstacle obstacle_exact winding collision boxes near.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -1,7 +1,7 @@
 (** What touches what at the time of a hit, and which of several edges counts: Sweep::hitOf, cross in
     shared/physics/sweep.cpp. *)
 From Coq Require Import ZArith QArith Qabs List Lia Lqa Bool.
-From Platon Require Import fraction sweep point obstacle collision hit.
+From Platon Require Import fraction sweep sweep_exact point obstacle obstacle_exact collision hit.
 Import ListNotations.
 Open Scope Z_scope.
 
