@@ -54,6 +54,13 @@ Proof.
   apply (starts_inside _ _ K H).
 Qed.
 
+(** The denominators are positive, so that [value] is the quotient. *)
+Theorem denominators_are_positive distances i : clip distances = Some i -> valid (enter i) /\ valid (exit i).
+Proof.
+  intros C. pose proof (clip_known distances) as K. rewrite C in K. destruct K as [K _].
+  split; [apply (enter_valid _ _ K) | apply (exit_valid _ _ K)].
+Qed.
+
 (** A hit: its time is at least 0 and below 1, *)
 Theorem time_is_in_range distances i : clip distances = Some i -> (0 <= value (enter i) < 1)%Q.
 Proof.
