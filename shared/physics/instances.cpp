@@ -173,7 +173,7 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
     return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
   });
   const auto position =
-      nearestFree(child, nullptr, warp.map(exactPosition(parentIndex)), kMaxSquaredError + 1, collider);
+      nearestFree(child, Arrival::kAppears, warp.map(exactPosition(parentIndex)), kMaxSquaredError + 1, collider);
   if (!position) return false;
   nextId_ = nextId;
   child.position = child.anchor = *position;
@@ -321,7 +321,7 @@ bool Instances::correctDrift(Collider& collider) {
     const PrecisePoint target = exactPosition(i);
     const std::int64_t error = squaredError(target, placement.position);
     if (error <= kMinSquaredDrift) continue;
-    const auto better = nearestFree(placement, &placement.position, target, error, collider);
+    const auto better = nearestFree(placement, Arrival::kMoves, target, error, collider);
     if (!better || *better == placement.position) continue;
     placement.position = placement.anchor = *better;
     placement.homeAnchor = home().position;
@@ -387,16 +387,17 @@ PrecisePoint Instances::idealOfFurther(std::size_t index, PrecisePoint home) con
   return precise(placement.anchor) + rotated(home - precise(placement.homeAnchor), placement.fromHome);
 }
 
-// The lattice point nearest to `ideal`, with a squared error below `closerThan`, that the placement may move to from
-// `from`, or be placed at when `from` is null. Nothing when none is free.
-std::optional<Point> Instances::nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
+// The lattice point nearest to `ideal`, with a squared error below `closerThan`, to which the placement may move, or
+// where it may appear. Nothing when none is free.
+std::optional<Point> Instances::nearestFree(Placement placement, Arrival arrival, PrecisePoint ideal,
                                             std::int64_t closerThan, Collider& collider) {
   const Point nearest = rounded(ideal);
   for (const Point offset : kOffsets) {
     const Point candidate = nearest + offset;
     if (squaredError(ideal, candidate) >= closerThan || !isCoordinate(candidate.x) || !isCoordinate(candidate.y))
       continue;
-    if (collider.isFree(placement, from != nullptr ? *from : candidate, candidate)) return candidate;
+    if (arrival == Arrival::kAppears) placement.position = candidate;  // what the rules are asked about
+    if (collider.isFree(placement, placement.position, candidate)) return candidate;
   }
   return std::nullopt;
 }

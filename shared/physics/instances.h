@@ -172,7 +172,8 @@ class Instances {
   PrecisePoint exactPosition(std::size_t index) const;
   PrecisePoint idealOfFurther(std::size_t index, PrecisePoint home) const;
   static std::int64_t squaredError(PrecisePoint ideal, Point point);
-  static std::optional<Point> nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
+  enum class Arrival : std::uint8_t { kMoves, kAppears };
+  static std::optional<Point> nearestFree(Placement placement, Arrival arrival, PrecisePoint ideal,
                                           std::int64_t closerThan, Collider& collider);
   std::size_t unusedRegion() const;
   Point centreOf(const Placement& placement) const { return placement.position + placement.shape->centre(); }

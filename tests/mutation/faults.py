@@ -232,7 +232,7 @@ FAULTS = [
               "an instance has the unrotated shape of its parent",
               "InstancesTest.SegmentsBehindAnEdgeStopAllInstances"),
     Fault("placed-without-looking", PHYSICS + "instances.cpp",
-          "    if (collider.isFree(placement, from != nullptr ? *from : candidate, candidate)) return candidate;",
+          "    if (collider.isFree(placement, placement.position, candidate)) return candidate;",
           "    return candidate;",
           "an instance may be placed at a position that is not free",
           "InstancesTest.AnEdgeBlocksWhenNoPositionBehindItIsFree"),

@@ -144,6 +144,12 @@ STEP_FAULTS = [
               "an instance behind an edge is taken for one far from the coordinate limit",
               "InstancesTest.StopsAtTheCoordinateLimitBehindAnEdge"),
 
+    Fault("asked-about-the-origin", PHYSICS + "instances.cpp",
+          "    if (arrival == Arrival::kAppears) placement.position = candidate;  // what the rules are asked about\n    if (collider.isFree(placement, placement.position, candidate))",
+          "    if (collider.isFree(placement, arrival == Arrival::kAppears ? candidate : placement.position, candidate))",
+          "the rules are asked about an instance that appears as if it were at the origin",
+          "OneWayTest.AnInstanceThatAppearsIsAskedAboutWhereItWouldBe"),
+
     # Nudges past segment ends.
     Fault("nudge-not-verified", PHYSICS + "step/segment_ends.cpp",
           "if (continuesPast(step, end, at, from, to) && step.isFree(position, from) && step.mayBeAt(from)) return from;",

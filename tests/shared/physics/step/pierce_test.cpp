@@ -249,6 +249,34 @@ class Reading : public Rules {
   mutable std::size_t instances = 0;
 };
 
+// Blocks bodies that are above it.
+class Floor : public RecordedRules {
+ public:
+  bool pierce(const Entity&, const SegmentRef& segment) const override {
+    return segment.warp || segment.position.y < segment.ends.a.y + 10;
+  }
+};
+
+// The new instance would stand on the floor of the next part, or hang in it. Where the origin of the part is says
+// nothing.
+TEST(OneWayTest, AnInstanceThatAppearsIsAskedAboutWhereItWouldBe) {
+  for (const std::int32_t height : {-400, 400}) {
+    for (const std::int32_t above : {10, 4}) {
+      World world = twoStrips({}, {{{-1300, height}, {-500, height}}});
+      Floor rules;
+      world.setRules(rules);
+      Entity entity(world, square(10));
+      MapPart(world, 1).insert(entity, {800, height + above}, Angle());
+      entity.setVelocity({100, 0});
+      for (int tick = 0; tick < 6; ++tick) world.solve();
+      EXPECT_EQ(entity.part(), 2U) << height << ", " << above;
+      entity.setVelocity({0, -5});
+      world.solve();
+      EXPECT_EQ(entity.position().y, height + (above == 10 ? 10 : above - 5));
+    }
+  }
+}
+
 TEST(PierceTest, SeesTheWorldBeforeTheStep) {
   World world = twoStrips({{{300, -100}, {300, 100}}}, {{{-800, -300}, {-800, 300}}});
   Entity first(world, square(100));
