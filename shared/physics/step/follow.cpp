@@ -145,13 +145,14 @@ bool follow(StepState& step, PrecisePoint end, const LegHit* hit) {
 
 bool fallBack(StepState& step, PrecisePoint end) {
   const Point start = step.position();
-  const Point displacement = step.roundedAt(end) - start;
-  Point move = displacement;
-  if (const auto hit = step.collider.first(step.instances, start, start + displacement))
-    move = scaleTruncated(displacement, hit->hit.time);
+  Point move = step.roundedAt(end) - start;
+  const auto halve = [&] { move = {move.x / 2, move.y / 2}; };
+  while (!step.allInRange(start + move)) halve();  // the start is in range
+  if (const auto hit = step.collider.first(step.instances, start, start + move))
+    move = scaleTruncated(move, hit->hit.time);
   while (move != Point() &&
          !(step.allInRange(start + move) && step.isFree(start, start + move) && step.mayBeAt(start + move)))
-    move = {move.x / 2, move.y / 2};
+    halve();
   step.moveTo(start + move);
   return move != Point();
 }
