@@ -135,24 +135,6 @@ Proof.
   unfold below, fits in *; powers. lia.
 Qed.
 
-(** The same beyond the limit of coordinates, where a way is tested before its ends are: nudged, fallBack *)
-Theorem distances_fit_beyond h position displacement margin : isNormal (normal h) -> below 61 (offset h) ->
-  Z.abs (x position) <= 2 ^ 29 + 2 ^ 12 -> Z.abs (y position) <= 2 ^ 29 + 2 ^ 12 ->
-  Z.abs (x displacement) <= 2 ^ 30 + 2 ^ 13 -> Z.abs (y displacement) <= 2 ^ 30 + 2 ^ 13 -> isMargin margin ->
-  let d := endDistancesTo position displacement margin h in fits 64 (start d) /\ fits 64 (finish d) /\
-  fits 64 (start d - finish d) /\ fits 64 (- start d).
-Proof.
-  intros N O PX PY DX DY M. pose proof (one_norm_fits _ N) as K. destruct N as [NX NY].
-  assert (S : 0 <= oneNorm (normal h) * margin < 2 ^ 60) by (unfold isMargin in M; powers; nia).
-  assert (B : forall u v c, below 30 u -> Z.abs v <= c -> Z.abs (u * v) <= 2 ^ 30 * c).
-  { intros u v c U V. rewrite Z.abs_mul. unfold below in U. apply Z.mul_le_mono_nonneg; lia. }
-  pose proof (B _ _ _ NX PX) as P. pose proof (B _ _ _ NY PY) as Q. pose proof (B _ _ _ NX DX) as R. pose proof (B _ _ _ NY DY) as T.
-  unfold endDistancesTo, dot; cbn [start finish]. set (p := x (normal h) * x position) in *. set (q := y (normal h) * y position) in *.
-  set (r := x (normal h) * x displacement) in *. set (t := y (normal h) * y displacement) in *.
-  set (m := oneNorm (normal h) * margin) in *. set (o := offset h) in *. clearbody p q r t m o. clear B NX NY K M PX PY DX DY.
-  unfold below, fits in *. powers. repeat split; lia.
-Qed.
-
 (** Sweep::clipToSegment computes relative to the position: the ends of the segment are then below 2^30, and the offset,
     which is the distance at the start, below 1.5 * 2^61. *)
 Theorem relative_distances_fit e p d : isNormal (inwards e) -> below 60 (support e) ->

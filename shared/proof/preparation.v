@@ -134,11 +134,26 @@ Qed.
 Lemma in_range_fits v : inRange v = true -> isPoint29 v.
 Proof. unfold inRange, isCoordinate. rewrite !Bool.andb_true_iff, !Z.ltb_lt. numbers. Qed.
 
-(** Convex::fault: cross(here - previous, next - here), in int64; and so in appendChain *)
+(** Convex::fault: cross(here - previous, next - here), in int64 *)
 Theorem turn_fits previous here next : isPoint29 previous -> isPoint29 here -> isPoint29 next ->
   let p := minus here previous in let q := minus next here in
   below 60 (x p * y q) /\ below 60 (y p * x q) /\ below 61 (cross p q).
 Proof. intros P H N. apply (crosswise_fit 30); [lia | |]; apply difference_fits; assumption. Qed.
+
+(** appendChain: the same of vertices that are rotated, which may be out of range; they are below 1.5 * 2^29 *)
+Definition isRotatedVertex (v : Point) : Prop := Z.abs (x v) <= 3 * 2 ^ 28 /\ Z.abs (y v) <= 3 * 2 ^ 28.
+
+Theorem hull_turn_fits u v w : isRotatedVertex u -> isRotatedVertex v -> isRotatedVertex w ->
+  fits 32 (x (minus v u)) /\ fits 32 (y (minus v u)) /\ fits 64 (cross (minus v u) (minus w v)).
+Proof.
+  unfold isRotatedVertex, minus, cross; cbn [x y]. intros U V W.
+  assert (B : forall p q, Z.abs p <= 3 * 2 ^ 29 -> Z.abs q <= 3 * 2 ^ 29 -> Z.abs (p * q) <= 9 * 2 ^ 58).
+  { intros p q P Q. rewrite Z.abs_mul. change (9 * 2 ^ 58) with (3 * 2 ^ 29 * (3 * 2 ^ 29)). apply Z.mul_le_mono_nonneg; lia. }
+  pose proof (B (x v - x u) (y w - y v) ltac:(powers; lia) ltac:(powers; lia)) as P.
+  pose proof (B (y v - y u) (x w - x v) ltac:(powers; lia) ltac:(powers; lia)) as Q.
+  set (p := (x v - x u) * (y w - y v)) in *. set (q := (y v - y u) * (x w - x v)) in *. clearbody p q.
+  unfold fits. powers. lia.
+Qed.
 
 (** Convex::deriveFromVertices: sumX and sumY, in int64, of all vertices and of the first ones at each step *)
 Theorem sum_fits f vertices : (forall v, In v vertices -> below 29 (f v)) ->

@@ -27,13 +27,13 @@ Definition allConvex (body : list Instance) : Prop := forall i, In i body -> str
 
 (** ** What a step does *)
 
-(** What the collider compares the way of a shape with: every segment that it can meet, and possibly more. *)
-Definition findsAll (w : World) (i : Instance) (moving : list Point) (displacement : Point) (found : list nat) : Prop :=
-  forall k s t, isSegment w i k s -> during t -> overlapsAt moving s (position i) displacement t -> In k found.
+(** What the collider compares the way of a shape with: every segment that blocks it there, and possibly more. *)
+Definition findsAll (w : World) (rules : Rules) (i : Instance) (moving : list Point) (displacement : Point) (found : list nat) : Prop :=
+  forall k s t, blocks w rules i k s -> during t -> overlapsAt moving s (position i) displacement t -> In k found.
 
 (** Collider::isFree: nothing that blocks the instance is met by a shape on a straight way from its position. *)
 Definition isFoundFree (w : World) (rules : Rules) (i : Instance) (moving : list Point) (displacement : Point) : Prop :=
-  exists found, findsAll w i moving displacement found /\
+  exists found, findsAll w rules i moving displacement found /\
     forall k s, In k found -> blocks w rules i k s -> clipAgainst moving s (position i) displacement 0 = None.
 
 (** After an operation, an instance passes what it overlaps of what it passed before or what the rules let it pass. *)
@@ -105,8 +105,7 @@ Lemma free_on_the_way w rules i moving displacement k s t :
   strictlyConvex moving -> isFoundFree w rules i moving displacement -> blocks w rules i k s -> during t ->
   ~ overlapsAt moving s (position i) displacement t.
 Proof.
-  intros C (found & F & H) B T O. pose proof B as (I & _).
-  pose proof (H k s (F k s t I T O) B) as K. apply (misses_exactly _ _ _ _ C) with (t := t) in K; [contradiction | assumption].
+  intros C (found & F & H) B T O. pose proof (H k s (F k s t B T O) B) as K. apply (misses_exactly _ _ _ _ C) with (t := t) in K; [contradiction | assumption].
 Qed.
 
 (** On the way of every move, no instance overlaps a segment that blocks it. *)
@@ -222,20 +221,23 @@ Qed.
 
 (** ** One premise, for moves beside a leg: what is near to the leg is all that such a move can meet (Collider::isFreeInLeg). *)
 
-(** The segments that the leg of an instance has listed: all that neither its box nor its clip exclude, with the margin kNear. *)
-Definition listsAll (w : World) (i : Instance) (leg : Point) (listed : list nat) : Prop :=
-  forall k s, isSegment w i k s -> overlapsBox (boundsOfSweep (shape i) (position i) leg kNear) (boundsOf s) = true ->
+(** The segments that the leg of an instance has listed: all that block it and that neither their box nor the clip of the leg
+    excludes, with the margin kNear. *)
+Definition listsAll (w : World) (rules : Rules) (i : Instance) (leg : Point) (listed : list nat) : Prop :=
+  forall k s, blocks w rules i k s -> overlapsBox (boundsOfSweep (shape i) (position i) leg kNear) (boundsOf s) = true ->
     clipAgainst (shape i) s (position i) leg kNear <> None -> In k listed.
 
-Theorem near_list_finds_all w i f from to at_ listed : strictlyConvex (shape i) -> isRotation (fromHome f) ->
+Theorem near_list_finds_all w rules i f from to at_ listed : strictlyConvex (shape i) -> isRotation (fromHome f) ->
   position i = placeOf f from -> isNearLeg from to at_ = true ->
-  listsAll w i (minus (placeOf f to) (position i)) listed -> findsAll w i (shape i) (minus (placeOf f at_) (position i)) listed.
+  listsAll w rules i (minus (placeOf f to) (position i)) listed ->
+  findsAll w rules i (shape i) (minus (placeOf f at_) (position i)) listed.
 Proof.
   intros C R P N L k s t I T O. rewrite P in *. destruct (near_segments_suffice f from to at_ (shape i) s t C R N T O) as [A B].
   apply (L k s I); rewrite P; assumption.
 Qed.
 
-(** ** The premises can be met: a square moves towards a wall, and stops where it touches it. *)
+(** ** The premises can be met: a square begins a step, moves to a wall, and stops where it touches it; a second instance is
+    inserted, both rotate, and one is removed. *)
 
 Definition square : list Point := [point (-1) (-1); point 1 (-1); point 1 1; point (-1) 1].
 Definition wall : World := world (fun _ => [segment (point 5 (-9)) (point 5 9)]).
@@ -245,30 +247,46 @@ Definition at_ (p : Z) : Instance := instance 0 square (point p 0) [].
 Lemma square_is_convex : strictlyConvex square.
 Proof. apply valid_is_convex. vm_compute. reflexivity. Qed.
 
-Lemma no_overlap p : p = 0 \/ p = 4 -> forall s, In s (segmentsOf wall 0) ->
-  clipAgainst square s (point p 0) (point 0 0) 0 = None.
-Proof. intros [-> | ->] s [<- | []]; vm_compute; reflexivity. Qed.
+Lemma is_wall i k s : isSegment wall i k s -> k = 0%nat /\ s = segment (point 5 (-9)) (point 5 9).
+Proof. unfold isSegment. destruct k as [| [| k]]; [intros E; injection E as <-; auto | discriminate | discriminate]. Qed.
 
-Lemma is_not_overlapped p s : p = 0 \/ p = 4 -> In s (segmentsOf wall 0) -> ~ overlapsNow (at_ p) s.
+Lemma is_found_free p d : (p = 0 /\ (d = 0 \/ d = 4)) \/ (p = 4 /\ d = 0) -> isFoundFree wall always_blocks (at_ p) square (point d 0).
 Proof.
-  intros A S O. assert (K : clipAgainst square s (point p 0) (point 0 0) 0 = None) by (apply no_overlap; assumption).
-  apply (misses_exactly _ _ _ _ square_is_convex) with (t := 0%Q) in K; [| unfold during; lra].
-  apply K. apply overlaps_at_start. assumption.
+  intros A. exists [0%nat]. split.
+  - intros k s t (I & _) _ _. destruct (is_wall _ _ _ I) as [-> _]. left. reflexivity.
+  - intros k s _ (I & _). destruct (is_wall _ _ _ I) as [_ ->]. destruct A as [[-> [-> | ->]] | [-> ->]]; vm_compute; reflexivity.
 Qed.
+
+Lemma is_not_overlapped p s k : p = 0 \/ p = 4 -> isSegment wall (at_ p) k s -> ~ overlapsNow (at_ p) s.
+Proof.
+  intros A I O. destruct (is_wall _ _ _ I) as [_ ->]. apply overlaps_at_start with (d := point 0 0) in O.
+  refine (proj1 (misses_exactly _ _ _ (point 0 0) square_is_convex) _ 0%Q _ O); [| unfold during; lra].
+  destruct A as [-> | ->]; vm_compute; reflexivity.
+Qed.
+
+Lemma passes_nothing p before : p = 0 \/ p = 4 -> passed before = [] -> passesOn wall always_blocks before (at_ p).
+Proof. intros A E k s I. split; [intros [] |]. intros [O _]. exact (is_not_overlapped p s k A I O). Qed.
 
 Theorem premises_can_be_met :
   allConvex [at_ 0] /\ isFree wall always_blocks [at_ 0] /\ isClearOf wall 0 0 [at_ 0] /\
   history wall (isWall 0 0) always_blocks [at_ 0] always_blocks [at_ 4].
 Proof.
-  assert (S : forall i k s, isSegment wall i k s -> In s (segmentsOf wall 0)).
-  { unfold isSegment. intros i k s E. apply nth_error_In in E. exact E. }
   split; [intros i [<- | []]; apply square_is_convex |]. split; [| split].
-  - intros i [<- | []] k s (I & _). apply is_not_overlapped; [lia | eauto].
-  - intros i s [<- | []] _ I. split; [intros [] |]. apply is_not_overlapped; [lia | eauto].
-  - eapply operates; [| apply nothing]. apply moves. constructor; [| constructor]. exists (point 4 0).
-    split; [reflexivity | split; [reflexivity | split; [reflexivity | split]]].
-    + intros k s I. split; [intros [] |]. intros [O _]. exfalso. apply (is_not_overlapped 4 s); [lia | eauto | exact O].
-    + exists [0%nat]. split.
-      * intros k s t I _ _. unfold isSegment in I. destruct k as [| k]; [left; reflexivity |]. destruct k; discriminate.
-      * intros k s _ (I & _). apply S in I as [<- | []]. vm_compute. reflexivity.
+  - intros i [<- | []] k s (I & _). apply (is_not_overlapped 0 s k); auto.
+  - intros i s [<- | []] _ I. split; [intros [] |]. apply (is_not_overlapped 0 s 0); auto.
+  - eapply (begins _ _ always_blocks always_blocks [at_ 0] [at_ 0]); [unfold isWall, always_blocks; auto | |].
+    { constructor; [| constructor]. repeat split; [intros [] |]. intros O. exfalso. eapply (is_not_overlapped 0); eauto. }
+    eapply operates with (next := [at_ 4]).
+    { apply moves. constructor; [| constructor]. exists (point 4 0).
+      split; [reflexivity | split; [reflexivity | split; [reflexivity | split]]]; [apply passes_nothing | apply is_found_free]; auto. }
+    eapply operates with (next := [at_ 4; at_ 0]).
+    { apply (inserts _ _ [at_ 4] (at_ 0)). split; [apply square_is_convex |]. split; [apply (is_found_free 0 0); auto |].
+      intros k s I. split; [intros [] |]. intros [O _]. exact (is_not_overlapped 0 s k (or_introl eq_refl) I O). }
+    eapply operates with (next := [at_ 4; at_ 0]).
+    { assert (R : forall p, p = 0 \/ p = 4 -> rotatedTo wall always_blocks (at_ p) (at_ p)).
+      { intros p A. split; [reflexivity | split; [reflexivity | split; [apply square_is_convex | split]]]; [apply passes_nothing; auto |].
+        exists square. split; [apply square_is_convex | split; [intros q Q; exact Q | split; [intros q Q; exact Q |]]].
+        apply is_found_free. intuition. }
+      apply rotates. constructor; [apply R; auto | constructor; [apply R; auto | constructor]]. }
+    eapply operates; [| apply nothing]. apply removes. intros i [<- | []]. left. reflexivity.
 Qed.

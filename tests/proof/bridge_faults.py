@@ -1,4 +1,4 @@
-"""Deliberate faults in the sweep and the obstacle, each of which must give an answer that differs from the proved one."""
+"""Deliberate faults in what is proved, each of which must give an answer that differs from the proved one."""
 
 import sys
 from pathlib import Path
@@ -13,7 +13,7 @@ SHARED = ("graze-is-a-hit", "touch-is-a-hit", "nearer-end", "passes-the-near")
 BRIDGE = "proof"  # what must fail
 
 FAULTS = [
-    *(fault for fault in faults.FAULTS if fault.name in SHARED),
+    *(next(fault for fault in faults.FAULTS if fault.name == name) for name in SHARED),
     Fault("last-of-a-tie", PHYSICS + "sweep.cpp", "time <= interval.enter) return;", "time < interval.enter) return;",
           "of half planes entered at once the last one counts", BRIDGE),
     Fault("last-exit", PHYSICS + "sweep.cpp",
@@ -34,4 +34,12 @@ FAULTS = [
           "the half plane that is kept stays relative to the position", BRIDGE),
     Fault("kept-plane-of-the-start", PUBLIC_PHYSICS + "sweep.h", "return distances.start >= 0 && distances.end >= 0;",
           "return distances.start >= 0;", "a half plane excludes a path that leads into it", BRIDGE),
+    Fault("kept-plane-of-another-shape", PHYSICS + "region.h", "if (shape_ == &shape && sweep.isExcluded", "if (sweep.isExcluded",
+          "the half plane that is kept belongs to another shape", BRIDGE),
+    Fault("box-without-margin", PUBLIC_PHYSICS + "sweep.h", "const Point grown(margin, margin);", "const Point grown(0, 0);",
+          "the box of a sweep does not grow by the margin", BRIDGE),
+    Fault("winds-twice", PHYSICS + "convex.cpp", "if (!windsOnce(vertices))", "if (vertices.empty())",
+          "a shape may wind around more than once", BRIDGE),
+    Fault("place-turned-back", PHYSICS + "instances.h", "moved : rotate(moved, fromHome));", "moved : rotate(moved, toHome));",
+          "an instance moves as the home instance would from its own frame", BRIDGE),
 ]  # fmt: skip

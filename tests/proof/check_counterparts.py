@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reminds of the other side: the functions of the C++ and those that are proved stand beside each other in the table of
+"""Reminds of the other side: the definitions of the C++ and those that are proved stand beside each other in the table of
 shared/proof/README.md, with a sum of the tokens of each. Fails where one has changed since both were last compared, and where
 a page names a theorem of a file that has none of this name.
 
@@ -20,7 +20,7 @@ from source_text import code_of  # noqa: E402
 
 TABLE = "shared/proof/README.md"
 # | `Class::function` | `path/of/the.cpp` | `definition`, `another` | `file.v` | sum sum |
-ROW = re.compile(r"^\| `(?P<function>[\w:]+)` \| `(?P<source>[\w/.]+)` \| (?P<names>`\w+`(?:, `\w+`)*) \| `(?P<proof>\w+\.v)` \| "
+ROW = re.compile(r"^\| `(?P<function>[\w:<=>]+)` \| `(?P<source>[\w/.]+)` \| (?P<names>`\w+`(?:, `\w+`)*) \| `(?P<proof>\w+\.v)` \| "
                  r"(?P<sums>[0-9a-f]{6} [0-9a-f]{6}) \|$", re.MULTILINE)  # fmt: skip
 PAGES = ("docs/exactness.md", "docs/proof.md", TABLE)
 # [`theorem`, `another`](../shared/proof/file.v), or a row: | `file.v` | ... (`theorem`) ... | of the C++ |
@@ -38,13 +38,26 @@ def end_of_bracket(text, opened):
     raise ProofError(f"a bracket is not closed: {text[opened:opened + 40]}")
 
 
-def cpp_functions(text, name):
-    """The parameters and the body of each definition of a function, which may have overloads."""
+def start_of_declaration(text, index):
+    """Where the declaration begins in which a name stands: behind the last semicolon, brace, label or directive before it."""
+    ends = [match.end() for match in re.finditer(r"[;{}]|\b(?:public|private|protected):|^[ \t]*#[^\n]*", text[:index], re.MULTILINE)]
+    return ends[-1] if ends else 0
+
+
+def cpp_definitions(text, name):
+    """The text of each definition: of a function, which may have overloads, a type or a constant."""
     found = []
-    for match in re.finditer(rf"(?<![\w:.>]){re.escape(name)}(?=\()", text):
-        behind = end_of_bracket(text, match.end())
+    for match in re.finditer(rf"(?<![\w:.>]){re.escape(name)}(?!\w)", text):
+        begin, behind = start_of_declaration(text, match.start()), match.end()
+        if constant := re.compile(r"\s*(?:=[^;]*|\{[^;{}]*\});").match(text, behind):
+            found.append(text[begin:constant.end()])
+            continue
+        if text.startswith("(", behind):
+            behind = end_of_bracket(text, behind)
+        elif not re.search(r"\b(?:struct|class)\s+$", text[begin:match.start()]):
+            continue
         if body := re.compile(r"[\s\w]*(?=\{)").match(text, behind):
-            found.append(text[match.start():end_of_bracket(text, body.end())])
+            found.append(text[begin:end_of_bracket(text, body.end())])
     return found
 
 
@@ -67,11 +80,11 @@ def sums_of(root, row):
     """The sums of both sides of a row of the table."""
     source = code_of((root / row["source"]).read_text(encoding="utf-8"), keep_strings=True)
     proof = without_comments((root / "shared/proof" / row["proof"]).read_text(encoding="utf-8"))
-    functions = defined(cpp_functions(source, row["function"]), f"{row['function']} in {row['source']}")
+    definitions_there = defined(cpp_definitions(source, row["function"]), f"{row['function']} in {row['source']}")
     definitions = [
         text for name in re.findall(r"\w+", row["names"]) for text in defined(coq_definitions(proof, name), f"{name} in {row['proof']}")
     ]
-    return sum_of(functions), sum_of(definitions)
+    return sum_of(definitions_there), sum_of(definitions)
 
 
 def changes(root, text):
@@ -110,7 +123,7 @@ def main(arguments):
         sys.exit(str(error))
     if found:
         sys.exit("\n".join(found))
-    print(f"{len(ROW.findall(text))} functions are as they were when they were compared with their proved counterparts")
+    print(f"{len(ROW.findall(text))} definitions are as they were when they were compared with their proved counterparts")
 
 
 if __name__ == "__main__":

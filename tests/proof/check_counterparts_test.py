@@ -39,7 +39,7 @@ class CheckCounterparts(unittest.TestCase):
         self.assertEqual(self.changes(), [])
         with contextlib.redirect_stdout(io.StringIO()) as told:
             check_counterparts.main([str(self.root)])
-        self.assertIn("1 functions are as they were", told.getvalue())
+        self.assertIn("1 definitions are as they were", told.getvalue())
 
     def test_comments_spaces_and_other_functions_do_not_count(self):
         self.write("shared/box.cpp", "int other() { return 3; }\n" + CPP.replace("// a comment", "// another").replace("  ", " "))
@@ -54,6 +54,23 @@ class CheckCounterparts(unittest.TestCase):
         self.assertRegex(self.changes()[1], r"^`grow`, `twice` in shared/proof/box\.v has changed: compare it with Box::grow")
         with self.assertRaisesRegex(SystemExit, "has changed"):
             check_counterparts.main([str(self.root)])
+
+    def test_a_type_and_a_constant_are_definitions(self):
+        self.write("shared/proof/README.md", TABLE.replace("Box::grow", "Box"))
+        self.write("shared/box.cpp", "struct Box;\nvoid use(Box box);\nstruct Box {\n  int low = 0;\n};\n")
+        check_counterparts.main([str(self.root), "--accept"])
+        self.write("shared/box.cpp", "struct Box {\n  long low = 0;\n};\n")
+        self.assertEqual(len(self.changes()), 1)
+        self.write("shared/proof/README.md", TABLE.replace("Box::grow", "kBox"))
+        self.write("shared/box.cpp", "int use = kBox + 1;\nconstexpr int kBox = 3;\n")
+        check_counterparts.main([str(self.root), "--accept"])
+        for changed in ("constexpr int kBox = 4;", "constexpr long kBox = 3;"):
+            self.write("shared/box.cpp", f"int use = kBox + 2;\n{changed}\n")
+            self.assertEqual(len(self.changes()), 1, changed)
+
+    def test_the_type_of_a_result_counts(self):
+        self.write("shared/box.cpp", CPP.replace("int Box::grow", "long Box::grow"))
+        self.assertEqual(len(self.changes()), 1)
 
     def test_what_is_gone_is_told(self):
         self.write("shared/box.cpp", CPP.replace("int Box::grow", "int Box::enlarge"))

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""Checks the proof in shared/proof with coq: every file compiles, and no theorem rests on an assumption. Then the function
-that is proved answers queries, and the sweep the same ones: all answers must be equal, but not those of a sweep with a fault.
+"""Checks the proof in shared/proof with coq: every file compiles, and no theorem rests on an assumption. Then the functions
+that are proved answer queries, and the C++ the same ones: all answers must be equal, but not those of the C++ with a fault.
 
 usage: check_proof.py ROOT QUERIES SEED
 
 QUERIES is the program platon-sweep-queries, which draws a million of them with SEED.
 """
 
+import filecmp
 import os
 import re
 import shutil
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from itertools import zip_longest
 from pathlib import Path
 
 from bridge_faults import FAULTS
@@ -92,7 +92,7 @@ def run(folder, *command, **options):
 
 
 def compare(root, work, program, seed):
-    """Compares the answers of the extracted function with those of the C++. Throws ProofError at the first that differs."""
+    """Compares the answers of the extracted functions with those of the C++. Throws ProofError at the first that differs."""
     shutil.copy(root / "tests/proof/proved_sweep.ml", work)
     (work / "proved.mli").unlink(missing_ok=True)
     run(work, "ocamlfind", "ocamlopt", "-package", "zarith", "-linkpkg", "proved.ml", "proved_sweep.ml", "-o", PROVED)
@@ -108,12 +108,16 @@ def compare(root, work, program, seed):
 
 
 def answers_otherwise(program, work, seed):
-    """Whether an answer is not the proved one, or the routes of the C++ differ."""
+    """Whether an answer to the same queries is not the proved one, or the routes of the C++ differ."""
     asked = [program, str(COUNT), str(seed), "faulty_queries", "faulty_answers"]
-    if subprocess.run(asked, cwd=work, stderr=subprocess.PIPE, check=False).returncode:
+    result = subprocess.run(asked, cwd=work, stderr=subprocess.PIPE, text=True, check=False)
+    if result.returncode == 1 and "answers otherwise" in result.stderr:
         return True
-    with (work / "faulty_answers").open() as answers, (work / "proved").open() as proved:
-        return any(answer != right for answer, right in zip_longest(answers, proved))
+    if result.returncode:
+        raise ProofError(f"{program} ends with {result.returncode}: {result.stderr}".rstrip())
+    if not filecmp.cmp(work / "faulty_queries", work / "queries", shallow=False):
+        raise ProofError(f"{program} draws other queries than the program without a fault")
+    return not filecmp.cmp(work / "faulty_answers", work / "proved", shallow=False)
 
 
 def compile_sources(tree, sources, suffix):
@@ -127,17 +131,23 @@ def require_that_faults_are_seen(root, work, seed):
     for folder in FOLDERS:
         shutil.copytree(root / folder, tree / folder)
     compile_sources(tree, SOURCES, ".o")
+
+    def is_seen(changed):
+        compile_sources(tree, changed, ".faulty.o")
+        run(tree, "g++", *(source + (".faulty.o" if source in changed else ".o") for source in SOURCES), "-o", "faulty")
+        return answers_otherwise(tree / "faulty", work, seed)
+
+    if is_seen([]):
+        raise ProofError("built here, the C++ without a fault answers otherwise")
     for fault in FAULTS:
         file = tree / fault.file
         text = file.read_text(encoding="utf-8")
         if text.count(fault.original) != 1:
             raise ProofError(f"{fault.name}: its original text occurs {text.count(fault.original)} times in {fault.file}, not once")
         file.write_text(text.replace(fault.original, fault.replaced), encoding="utf-8")
-        changed = [fault.file] if fault.file in SOURCES else SOURCES
-        compile_sources(tree, changed, ".faulty.o")
-        run(tree, "g++", *(source + (".faulty.o" if source in changed else ".o") for source in SOURCES), "-o", "faulty")
+        seen = is_seen([fault.file] if fault.file in SOURCES else SOURCES)
         file.write_text(text, encoding="utf-8")
-        if not answers_otherwise(tree / "faulty", work, seed):
+        if not seen:
             raise ProofError(f"{fault.name} gives no other answer: {fault.breaks}")
 
 
@@ -151,7 +161,7 @@ def main(arguments):
         theorems = check(root / "shared/proof", work)
         print(f"{len(theorems)} theorems in {len({name for name, _ in theorems})} files hold, and none rests on an assumption", flush=True)
         compare(root, work, program, seed)
-        print(f"{COUNT} queries of seed {seed}: the sweep answers as the function that is proved", flush=True)
+        print(f"{COUNT} queries of seed {seed}: the C++ answers as what is proved", flush=True)
         require_that_faults_are_seen(root, work, seed)
     except ProofError as error:
         sys.exit(str(error))
