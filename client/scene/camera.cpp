@@ -21,11 +21,6 @@ constexpr glm::dvec2 kMaxLookAhead(0.24, 0.18);
 constexpr double kCutAngle = 1.6;   // radians from the target from which the camera jumps there
 constexpr double kCutOffset = 1.0;  // distance of the player from the middle, in half views, from which it jumps
 
-// From a player who stands still to the eye, in the axes of the target.
-glm::dvec3 offsetOf(const Pose& player, const CameraTarget& target, const SolidMesh& stage) {
-  return {framingShift(target, player.position, stage), target.distance};
-}
-
 // The smallest rotation from one unit vector to another; about `axis` if they are opposite.
 glm::dquat rotationBetween(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis) {
   const double cosine = glm::dot(from, to);
@@ -55,11 +50,11 @@ void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, st
   hold_.reset();
   lookAhead_.reset(player);
   radius_ = stage.circumradius();
-  const CameraTarget target = cameraTarget(player, stage, zoom_);
+  const CameraTarget target = restingTarget(player, stage, zoom_);
   const bool stands = comfort_.view != CameraView::kFollow;
-  base_ = stands
-              ? hold_.view(player, stage, zoom_)
-              : ViewPoint{target.orientation, player.position + target.orientation * offsetOf(player, target, stage)};
+  base_ = stands ? hold_.view(player, stage, zoom_)
+                 : ViewPoint{target.orientation,
+                             player.position + target.orientation * framedOffset(target, player.position, stage)};
   shown_ = base_;
 }
 
@@ -77,10 +72,11 @@ void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
     base_ = shown_ = hold_.view(player, stage, zoom_);
     return;
   }
-  const CameraTarget target = cameraTarget(player, stage, zoom_);
+  const bool rests = lookAhead_.isAt(player);
+  const CameraTarget target = rests ? restingTarget(player, stage, zoom_) : cameraTarget(player, stage, zoom_);
   if (comfort_.instantCut || !isNear(player, target)) return set(player, stage, width_, height_);
   lookAhead_.move(player);
-  const glm::dvec3 offset = offsetAfter(player, target, offsetOf(player, target, stage), seconds);
+  const glm::dvec3 offset = offsetAfter(player, target, framedOffset(target, player.position, stage), seconds);
   lookAhead_.wait(seconds);
   turn(player, target, seconds);
   base_.eye = player.position + base_.orientation * offset;

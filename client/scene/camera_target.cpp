@@ -87,6 +87,25 @@ glm::dvec2 framingShift(const CameraTarget& target, glm::dvec3 place, const Soli
   return length > longest ? wanted * (longest / length) : wanted;
 }
 
+glm::dvec3 framedOffset(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh) {
+  return {framingShift(target, place, mesh), target.distance};
+}
+
+// In the picture, a direction at a place is seen as its part across the way from the eye to there. That way depends on
+// the roll, through the framing; each round leaves a small part of the error.
+CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom) {
+  constexpr int kRounds = 6;
+  const glm::dvec3 right = glm::cross(player.up, player.normal);
+  CameraTarget target = cameraTarget(player, mesh, zoom);
+  const glm::dvec3 back = target.back();
+  target.orientation = levelOrientation(back, right);
+  for (int round = 0; round < kRounds; ++round) {
+    const glm::dvec3 way = target.orientation * framedOffset(target, player.position, mesh);
+    target.orientation = levelOrientation(back, right - way * (glm::dot(right, back) / glm::dot(way, back)));
+  }
+  return target;
+}
+
 namespace {
 
 struct Knot {

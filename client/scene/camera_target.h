@@ -32,10 +32,13 @@ glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right);
 /// at the edges is narrower. `place` is on the surface.
 glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place);
 
-/// The line of sight is nearly the rounded normal, with a part of the ray from the solid's centre (kPartOfRay), so that
-/// the neighbouring faces are seen. The player's right is level on the screen, except near a corner. `zoom` is a
-/// magnification, more than 0.
+/// Of a player who moves. The line of sight is nearly the rounded normal, with a part of the ray from the solid's centre
+/// (kPartOfRay), so that the neighbouring faces are seen. In the middle part of a face the player's right is level on
+/// the screen; near edges and corners, it turns evenly with the way. `zoom` is a magnification, more than 0.
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom);
+/// Of a player who rests: the same line of sight, but a floor along the player's right is level in the picture, wherever
+/// the player is.
+CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom);
 
 constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture
 
@@ -43,6 +46,8 @@ constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the pict
 /// level units. It lies towards the solid's centre, so that the picture shows more of the solid; on a face that is much
 /// larger than the picture, less.
 glm::dvec2 framingShift(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh);
+/// From a player who stands still to the eye, in the axes of the target.
+glm::dvec3 framedOffset(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh);
 
 /// How far the middle of the picture leads the player, from the way that the player has gone lately. A point trails the
 /// player; the look-ahead is a function of the distance to it. Small turns and jumps keep that distance small. Against
@@ -56,6 +61,8 @@ class LookAhead {
   void reset(const Pose& player);
   /// The player has moved here.
   void move(const Pose& player);
+  /// Whether the player is where it was last.
+  bool isAt(const Pose& player) const { return player.position == place_; }
   /// The trailing point approaches the player for `seconds` ≥ 0.
   void wait(double seconds);
 

@@ -79,7 +79,9 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
     const bool cut = camera_.viewPoint().eye != before || camera_.viewPoint().orientation != turned;
     fadingCut_ = cut && comfort_.view == CameraView::kFaceFade && !zooming_ && !flying();
     flight_.advance(seconds);
+    begun_ = begun_ || begunNow_;
     approach(seconds);
+    leaveOverview(seconds);
   } else {
     begin(player, *stage);
   }
@@ -89,7 +91,7 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
   look_.update(look, seconds);
   if (comfort_.instantCut && !look.held) look_.reset();
   camera_.setReach(flying() ? unfolding_.reach : 0);
-  ViewPoint view = flightView(stage->mesh);
+  ViewPoint view = flightView(overview(player, stage->mesh), stage->mesh);
   view.eye += kNearer * smootherstep(approach_) * (player.position - view.eye);
   camera_.show(look_.turned(view, stage->mesh));
 }
@@ -103,14 +105,32 @@ void GameCamera::approach(double seconds) {
   approach_ = std::clamp(approach_, 0.0, 1.0);
 }
 
+void GameCamera::leaveOverview(double seconds) {
+  if (comfort_.view != CameraView::kFollow) {
+    overview_ = 0;
+  } else if (begun_) {
+    overview_ = comfort_.instantCut ? 0 : std::max(0.0, overview_ - seconds / kOverviewSeconds);
+  }
+}
+
+// The view of the player, or on the way to it from that of the whole face.
+ViewPoint GameCamera::overview(const Pose& player, const SolidMesh& mesh) {
+  const ViewPoint& near = camera_.viewPoint();
+  if (overview_ <= 0) return near;
+  const ViewPoint whole = wholeFace_.view(player, mesh, zoom_);
+  const double part = smootherstep(overview_);
+  const glm::dquat orientation = glm::normalize(glm::slerp(near.orientation, whole.orientation, part));
+  return {orientation, orientation * glm::mix(near.fromCentre(), whole.fromCentre(), part)};
+}
+
 double GameCamera::folded() const {
   if (!flying()) return 1;
   return smootherstep(std::clamp((flight_.progress() - kFlat) / (kFolded - kFlat), 0.0, 1.0));
 }
 
 // The flight begins where the whole unfolding is seen.
-ViewPoint GameCamera::flightView(const SolidMesh& mesh) const {
-  ViewPoint view = flight_.towards(camera_.viewPoint(), mesh);
+ViewPoint GameCamera::flightView(const ViewPoint& to, const SolidMesh& mesh) const {
+  ViewPoint view = flight_.towards(to, mesh);
   if (!flying()) return view;
   const double part = glm::smoothstep(kFlat / 2, kFolded, flight_.progress());
   view.eye = view.orientation * glm::mix(unfolding_.view.fromCentre(), view.fromCentre(), part);
@@ -122,6 +142,9 @@ void GameCamera::begin(const Pose& player, const StageModel& stage) {
   fadingCut_ = false;
   flight_.stop();
   approach_ = 0;
+  begun_ = begunNow_;
+  wholeFace_.reset();
+  overview_ = begun_ || comfort_.view != CameraView::kFollow ? 0 : 1;
   const Pose goal = stage.mesh.pose(stage.goal.face, stage.goal.place, stage.goal.angle);
   camera_.set(goal, stage.mesh, camera_.width(), camera_.height());
   if (flights_ && !comfort_.instantCut) {

@@ -8,6 +8,7 @@
 
 #include "client/scene/camera.h"
 #include "client/scene/camera_controls.h"
+#include "client/scene/camera_target.h"
 #include "client/scene/solid_folding.h"
 #include "client/scene/solid_mesh.h"
 #include "client/scene/stage_model.h"
@@ -62,14 +63,15 @@ class LookRound {
   glm::dvec2 angles_{0};
 };
 
-/// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, while
-/// the unfolded solid is folded, comes slowly nearer at a finish, and turns round the solid while the player looks
-/// round.
+/// The camera of the game: it flies from the goal to the player at the start of a level, while the unfolded solid is
+/// folded, shows the whole face until the player's first input, follows the player, comes slowly nearer at a finish, and
+/// turns round the solid while the player looks round.
 class GameCamera {
  public:
   static constexpr double kNearer = 0.1;             ///< part of the distance by which it comes nearer at a finish
   static constexpr double kApproachSeconds = 1.5;    ///< of the way there
   static constexpr double kWithdrawalSeconds = 0.3;  ///< of the way back
+  static constexpr double kOverviewSeconds = 0.8;    ///< from the whole face to the player after the first input
 
   void resize(std::uint32_t w, std::uint32_t h) { camera_.resize(w, h); }
   /// Takes effect at the next `move`. For the zoom see Camera::setZoom.
@@ -82,6 +84,9 @@ class GameCamera {
   /// Whether the player is at the goal, from the next `move` on: the camera then comes nearer. With reduced motion and
   /// instant cuts, and where it stands still, it does not.
   void setArrived(bool arrived) { arrived_ = arrived; }
+  /// Whether the player has begun to play, from the next `move` on. Until then the picture shows its whole face, as far
+  /// as FaceHold does; on each stage once, not again after a restart.
+  void setBegun(bool begun) { begunNow_ = begun; }
   /// How far the solid is folded; unfolded, it lies in the plane of the goal: 0 at the start of a flight, 1
   /// without one.
   double folded() const;
@@ -98,7 +103,9 @@ class GameCamera {
  private:
   void begin(const Pose& player, const StageModel& stage);
   void approach(double seconds);
-  ViewPoint flightView(const SolidMesh& mesh) const;
+  void leaveOverview(double seconds);
+  ViewPoint overview(const Pose& player, const SolidMesh& mesh);
+  ViewPoint flightView(const ViewPoint& to, const SolidMesh& mesh) const;
 
   Camera camera_;
   CameraFlight flight_;
@@ -111,6 +118,10 @@ class GameCamera {
   bool flights_ = false;
   bool arrived_ = false;
   double approach_ = 0;                    // part of the time of the way nearer, 0 … 1
+  FaceHold wholeFace_;                     // until the first input
+  double overview_ = 0;                    // part of the time that is left of the way from there, 0 … 1
+  bool begun_ = true;                      // on this stage
+  bool begunNow_ = true;
   std::weak_ptr<const StageModel> stage_;  // of the last move
 };
 

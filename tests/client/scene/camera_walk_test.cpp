@@ -249,5 +249,29 @@ TEST(CameraWalk, AtRandomInEachPicture) {
   });
 }
 
+// It stayed about 10 degrees aslant near the edges of triangles and pentagons.
+TEST(CameraWalk, WhereverTheBallRestsFloorsAreLevel) {
+  constexpr double kMaxTiltAtRest = std::numbers::pi / 180;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> part(0, 1);
+  forEverySolid([&](const SolidMesh& mesh) {
+    for (int round = 0; round < repetitions(300); ++round) {
+      Walker walker;
+      walker.walk = {&mesh, round % mesh.faces(), {0, 0}, 6.28 * part(random)};
+      walker.start();
+      // Along an edge or a corner, or anywhere.
+      const double direction = 6.28 * part(random);
+      const glm::dvec2 way = kRun * glm::dvec2(std::cos(direction), std::sin(direction));
+      const double distance = (round % 3 == 0 ? 1.2 : 0.9 + 0.2 * part(random)) * mesh.apothem() * (1 + part(random));
+      const std::string where = nameOf(mesh, walker, "at rest") + ", round " + std::to_string(round);
+      for (double gone = std::max(0.0, distance - 400); gone < distance; gone += kRun)
+        ASSERT_NO_FATAL_FAILURE(walker.frame(way, where));
+      for (int frame = 0; frame < 120; ++frame) ASSERT_NO_FATAL_FAILURE(walker.frame({0, 0}, where));
+      EXPECT_LT(floorTilt(walker.camera, walker.walk.pose()), kMaxTiltAtRest)
+          << where << ", " << walker.walk.depth() << " from an edge";
+    }
+  });
+}
+
 }  // namespace
 }  // namespace platon::camera_walk_test

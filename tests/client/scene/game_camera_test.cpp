@@ -253,6 +253,63 @@ TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
   }
 }
 
+std::shared_ptr<const StageModel> stageOf(SolidKind kind, int size) {
+  std::string text = std::string(nameOf(kind)) + "\n0 0 0 0\n1 0 0\n" + std::to_string(size) + "\n";
+  for (int face = 0; face < PlatonicSolid::of(kind).faces(); ++face) text += "%\n";
+  return makeStageModel(*loadLevel(text).level);
+}
+
+bool seesWholeFace(const Camera& camera, const SolidMesh& mesh, int face) {
+  return std::all_of(mesh.polygon().begin(), mesh.polygon().end(), [&](glm::dvec2 corner) {
+    const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(mesh.toWorld(face, corner), 1);
+    return std::max(std::abs(clip.x), std::abs(clip.y)) <= clip.w;
+  });
+}
+
+// The goal was cut off on triangles, or off the screen.
+TEST(GameCamera, TheWholeFaceIsSeenUntilTheFirstInput) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    for (const int size : {200, 480, 500}) {
+      const auto stage = stageOf(static_cast<SolidKind>(kind), size);
+      for (const auto& [width, height] : {std::pair(1280U, 720U), std::pair(720U, 1280U)}) {
+        for (double angle = 0; angle < 6.2; angle += 0.7) {
+          const glm::dvec2 place = 0.9 * stage->mesh.apothem() * glm::dvec2(std::cos(3 * angle), std::sin(3 * angle));
+          const Pose player = stage->mesh.pose(0, place, angle);
+          GameCamera camera;
+          camera.resize(width, height);
+          camera.setBegun(false);
+          camera.move(player, stage, {}, kFrame);
+          camera.move(player, stage, {}, 3);
+          EXPECT_TRUE(seesWholeFace(camera.camera(), stage->mesh, 0)) << kind << " " << size << " " << angle;
+          camera.setBegun(true);
+          for (int frame = 0; frame < 60; ++frame) camera.move(player, stage, {}, kFrame);
+          Camera usual;
+          usual.set(player, stage->mesh, width, height);
+          EXPECT_LT(glm::distance(camera.camera().eye(), usual.eye()), 1e-6);
+          camera.setBegun(false);
+          camera.move(player, stage, {}, kFrame);
+          EXPECT_LT(glm::distance(camera.camera().eye(), usual.eye()), 1e-6) << "not again after a restart";
+        }
+      }
+    }
+  }
+}
+
+TEST_F(GameCameraTest, TheWayFromTheWholeFaceHasNoJump) {
+  camera_.setBegun(false);
+  move();
+  camera_.setBegun(true);
+  glm::dvec3 last = camera_.camera().eye();
+  const double way = glm::distance(last, usual().eye);
+  EXPECT_GT(way, 50);
+  for (int frame = 0; frame < 60; ++frame) {
+    move();
+    EXPECT_LT(glm::distance(camera_.camera().eye(), last), 0.08 * way) << frame;
+    last = camera_.camera().eye();
+  }
+  EXPECT_LT(glm::distance(last, usual().eye), 1e-6);
+}
+
 TEST_F(GameCameraTest, AtAFinishItComesSlowlyNearerByATenth) {
   move();
   const glm::dvec3 far = usual().eye - player_.position;
@@ -291,7 +348,7 @@ TEST_F(GameCameraTest, LooksRoundAndGoesBack) {
   move();
   for (int frame = 0; frame < 60; ++frame) move({true, {1, 0}});
   EXPECT_LT(glm::dot(camera_.camera().back(), usual().back()), 0);
-  EXPECT_NEAR(camera_.camera().rollOf(player_), 0, 1e-6) << "looking round does not turn the controls";
+  EXPECT_NEAR(camera_.camera().rollOf(player_), 0, 1e-3) << "looking round does not turn the controls";
   for (int frame = 0; frame < 300; ++frame) move();
   EXPECT_LT(glm::distance(camera_.camera().eye(), usual().eye), 1e-3);
 }
