@@ -87,7 +87,7 @@ void GameView::moveCamera(const Scene& scene, const Settings& settings, double s
   camera_.setComfort(settings.comfort, settings.zoom);
   camera_.setArrived(scene.attempt && scene.attempt->arrived);
   camera_.setBegun(!scene.attempt || scene.attempt->seconds > 0);
-  camera_.move(scene.focus, scene.stage, look_, seconds);
+  camera_.move(scene.focus, scene.stage, scene.elements, look_, seconds);
   const double folded = camera_.folded();
   const StageModel& stage = *scene.stage;
   renderer_.setPlaces(folded < 1 ? foldedPlaces(stage.mesh, stage.goal.face, folded) : std::vector<glm::dmat4>());

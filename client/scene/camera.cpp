@@ -50,7 +50,7 @@ void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, st
   hold_.reset();
   lookAhead_.reset(player);
   radius_ = stage.circumradius();
-  const CameraTarget target = restingTarget(player, stage, zoom_);
+  const CameraTarget target = restingTarget(player, stage, zoom_, peek_);
   const bool stands = comfort_.view != CameraView::kFollow;
   base_ = stands ? hold_.view(player, stage, zoom_)
                  : ViewPoint{target.orientation,
@@ -73,9 +73,10 @@ void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
     return;
   }
   const bool rests = lookAhead_.isAt(player);
-  const CameraTarget target = rests ? restingTarget(player, stage, zoom_) : cameraTarget(player, stage, zoom_);
-  if (comfort_.instantCut || !isNear(player, target)) return set(player, stage, width_, height_);
   lookAhead_.move(player);
+  const CameraTarget target = rests ? restingTarget(player, stage, zoom_, peek_)
+                                    : cameraTarget(player, stage, zoom_, {peek_, lookAhead_.rise()});
+  if (comfort_.instantCut || !isNear(player, target)) return set(player, stage, width_, height_);
   const glm::dvec3 offset = offsetAfter(player, target, framedOffset(target, player.position, stage), seconds);
   lookAhead_.wait(seconds);
   turn(player, target, seconds);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -46,6 +47,9 @@ class Camera {
   /// Magnification, 0.25 … 4. Takes effect at the next `set` or `lerp`.
   void setZoom(double zoom) { zoom_ = zoom; }
 
+  /// How far the view may turn to each face near an edge: see PeekWeights. Takes effect at the next `set` or `lerp`.
+  void setPeek(PeekWeights weights) { peek_.assign(weights.begin(), weights.end()); }
+
   /// Shows the middle of the view this far to the right of the middle of the picture, in half widths of it.
   void setShift(double shift) { shift_ = shift; }
 
@@ -83,6 +87,7 @@ class Camera {
   double zoom_ = 1;
   double shift_ = 0;
   CameraComfort comfort_;
+  std::vector<double> peek_;
   std::uint32_t width_ = 1;
   std::uint32_t height_ = 1;
 };

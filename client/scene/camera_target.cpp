@@ -16,21 +16,35 @@ constexpr double kMinView = 460;  // shorter side of the picture at the player, 
 constexpr double kMaxView = 760;
 constexpr double kViewOfFace = 1.3;  // the same in incircle diameters of a face, between the two bounds
 constexpr double kZoneOfFace = 0.5;  // largest edge zone in apothems
+constexpr double kMostOfZone = 0.5;  // of a rise that is not seen yet
 constexpr double kPartOfRay = 0.35;  // more shows more of the neighbours, and tilts the floors more
 
 double depthBelow(const SolidMesh& mesh, int face, glm::dvec3 place) {
   return mesh.inradius() - glm::dot(mesh.normal(face), place);
 }
 
+double zoneOf(const SolidMesh& mesh) { return std::min(CameraTarget::kEdgeZone, kZoneOfFace * mesh.apothem()); }
+
 // From 0 to 1 in the zone at the edge of a neighbouring face, for the depth below its plane.
 double nearness(const SolidMesh& mesh, double depth) {
-  const double zone = std::min(CameraTarget::kEdgeZone, kZoneOfFace * mesh.apothem());
-  return std::clamp(1 - depth / (zone * std::sin(mesh.dihedral())), 0.0, 1.0);
+  return std::clamp(1 - depth / (zoneOf(mesh) * std::sin(mesh.dihedral())), 0.0, 1.0);
 }
+
+// On the face of the player.
+double distanceFromEdges(const SolidMesh& mesh, const Pose& player) {
+  double least = mesh.circumradius();
+  for (int face = 0; face < mesh.faces(); ++face) {
+    if (glm::dot(mesh.normal(face), player.normal) > 1 - 1e-6) continue;
+    least = std::min(least, depthBelow(mesh, face, player.position));
+  }
+  return std::max(least, 0.0) / std::sin(mesh.dihedral());
+}
+
+double weightOf(PeekWeights weights, int face) { return weights.empty() ? 1 : weights[static_cast<std::size_t>(face)]; }
 
 // The player's right, at an edge the mean of its directions on both faces. Where two edges are equally near it is that
 // on the face itself: so it turns evenly on a way round a corner.
-glm::dvec3 rightOf(const Pose& player, const SolidMesh& mesh) {
+glm::dvec3 rightOf(const Pose& player, const SolidMesh& mesh, PeekWeights weights) {
   int nearest = 0;
   double first = 4 * mesh.circumradius();
   double second = first;
@@ -43,7 +57,7 @@ glm::dvec3 rightOf(const Pose& player, const SolidMesh& mesh) {
     nearest = face;
   }
   const glm::dvec3 right = glm::cross(player.up, player.normal);
-  const double part = nearness(mesh, first) * (1 - first / std::max(second, 1e-9));
+  const double part = weightOf(weights, nearest) * nearness(mesh, first) * (1 - first / std::max(second, 1e-9));
   return part > 0 ? right + part * rotatedBetween(right, player.normal, mesh.normal(nearest)) : right;
 }
 
@@ -58,18 +72,20 @@ glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right) {
 }
 
 // The depth below the plane of a face is the same function of the place on every face, so the sum has no jump at edges.
-glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place) {
+glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place, PeekWeights weights) {
   glm::dvec3 sum(0);
   for (int face = 0; face < mesh.faces(); ++face)
-    sum += mesh.normal(face) * nearness(mesh, depthBelow(mesh, face, place));
+    sum += mesh.normal(face) * weightOf(weights, face) * nearness(mesh, depthBelow(mesh, face, place));
   return glm::normalize(sum);
 }
 
-CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom) {
-  const glm::dvec3 ray = glm::normalize(player.position);
-  const glm::dvec3 back = glm::normalize(glm::mix(roundedNormal(mesh, player.position), ray, kPartOfRay));
+CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom, const Peek& peek) {
+  const double rise = std::clamp(peek.rise, -distanceFromEdges(mesh, player), kMostOfZone * zoneOf(mesh));
+  const glm::dvec3 place = mesh.onSurface(player.position - rise * player.up);
+  const glm::dvec3 ray = glm::normalize(place);
+  const glm::dvec3 back = glm::normalize(glm::mix(roundedNormal(mesh, place, peek.weights), ray, kPartOfRay));
   const double view = std::clamp(2 * mesh.apothem() * kViewOfFace, kMinView, kMaxView) / zoom;
-  return {levelOrientation(back, rightOf(player, mesh)), view / 2 / CameraTarget::kTangent};
+  return {levelOrientation(back, rightOf(player, mesh, peek.weights)), view / 2 / CameraTarget::kTangent};
 }
 
 namespace {
@@ -93,10 +109,10 @@ glm::dvec3 framedOffset(const CameraTarget& target, glm::dvec3 place, const Soli
 
 // In the picture, a direction at a place is seen as its part across the way from the eye to there. That way depends on
 // the roll, through the framing; each round leaves a small part of the error.
-CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom) {
+CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom, PeekWeights weights) {
   constexpr int kRounds = 6;
   const glm::dvec3 right = glm::cross(player.up, player.normal);
-  CameraTarget target = cameraTarget(player, mesh, zoom);
+  CameraTarget target = cameraTarget(player, mesh, zoom, {weights});
   const glm::dvec3 back = target.back();
   target.orientation = levelOrientation(back, right);
   for (int round = 0; round < kRounds; ++round) {

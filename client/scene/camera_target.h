@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
@@ -27,18 +28,27 @@ struct CameraTarget {
 /// The orientation whose z axis is the unit vector `back` and whose x axis is nearest to `right`.
 glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right);
 
+/// By face: how far the view may turn to it near an edge, 0 … 1. Empty: 1 for all.
+using PeekWeights = std::span<const double>;
+
+/// How the view of a moving player turns near edges.
+struct Peek {
+  PeekWeights weights = {};
+  double rise = 0;  ///< level units along the player's up that are not seen yet, as of a jump; near an edge less counts
+};
+
 /// The normal of the solid with its edges rounded off: the normal of the face in the middle part of a face, the mean
 /// of the normals of the faces that meet at an edge or at a corner, and continuous between. On a small face the zone
 /// at the edges is narrower. `place` is on the surface.
-glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place);
+glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place, PeekWeights weights = {});
 
 /// Of a player who moves. The line of sight is nearly the rounded normal, with a part of the ray from the solid's centre
 /// (kPartOfRay), so that the neighbouring faces are seen. In the middle part of a face the player's right is level on
 /// the screen; near edges and corners, it turns evenly with the way. `zoom` is a magnification, more than 0.
-CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom);
+CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom, const Peek& peek = {});
 /// Of a player who rests: the same line of sight, but a floor along the player's right is level in the picture, wherever
 /// the player is.
-CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom);
+CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom, PeekWeights weights = {});
 
 constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture
 
@@ -63,6 +73,8 @@ class LookAhead {
   void move(const Pose& player);
   /// Whether the player is where it was last.
   bool isAt(const Pose& player) const { return player.position == place_; }
+  /// How far the player is above the trailing point, level units.
+  double rise() const { return trail_.y; }
   /// The trailing point approaches the player for `seconds` ≥ 0.
   void wait(double seconds);
 

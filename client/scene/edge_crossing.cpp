@@ -69,6 +69,34 @@ glm::dvec2 onFace(const SolidMesh& mesh, int face, glm::dvec3 vector, double w) 
 
 }  // namespace
 
+std::vector<double> freeFaces(const StageModel& stage, const ElementStates& states, const Pose& player) {
+  const SolidMesh& mesh = stage.mesh;
+  const int own = faceOf(mesh, player);
+  const glm::dvec2 place = onFace(mesh, own, player.position, 1);
+  std::vector<double> free(static_cast<std::size_t>(mesh.faces()), 0);
+  std::vector<bool> isBeside(free.size());
+  for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
+    const glm::dvec2 outwards = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
+    const glm::dvec2 along(-outwards.y, outwards.x);
+    const double half = mesh.faceSize() / 2.0;
+    const glm::dvec2 foot = mesh.apothem() * outwards + std::clamp(glm::dot(place, along), -half, half) * along;
+    const std::size_t next = mesh.solid().neighbour(own, edge).face;
+    isBeside[next] = true;
+    free[next] = wayIsFree(stage, states, own, place, foot) ? 1 : 0;
+  }
+  for (std::size_t face = 0; face < free.size(); ++face) {
+    if (isBeside[face] || face == static_cast<std::size_t>(own)) continue;
+    double least = 1;
+    for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
+      const std::size_t between = mesh.solid().neighbour(static_cast<int>(face), edge).face;
+      if (isBeside[between]) least = std::min(least, free[between]);
+    }
+    free[face] = least;
+  }
+  free[static_cast<std::size_t>(own)] = 1;
+  return free;
+}
+
 void EdgeCrossing::advance(const StageModel& stage, const ElementStates& states, const Pose& pose, double seconds) {
   const double passed = seconds - seconds_;
   const glm::dvec3 way = pose.position - pose_.position;

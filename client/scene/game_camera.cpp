@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "client/scene/edge_crossing.h"
 #include "client/scene/view_point.h"
 
 namespace platon {
@@ -70,9 +71,21 @@ void GameCamera::setComfort(const CameraComfort& comfort, double zoom) {
   zoom_ = zoom;
 }
 
-void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const LookInput& look,
-                      double seconds) {
-  if (stage_.lock() == stage) {
+// What is seen over an edge changes smoothly when the way there opens or closes, also at a jump of the player.
+void GameCamera::peek(const Pose& player, const StageModel& stage, const ElementStates& states, double seconds) {
+  const std::vector<double> free = freeFaces(stage, states, player);
+  if (peek_.size() != free.size()) peek_ = free;
+  const double stay = std::exp(-kPeekRate * seconds);
+  for (std::size_t face = 0; face < free.size(); ++face) peek_[face] = glm::mix(free[face], peek_[face], stay);
+  camera_.setPeek(peek_);
+}
+
+void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const ElementStates& states,
+                      const LookInput& look, double seconds) {
+  const bool isKnown = stage_.lock() == stage;
+  if (!isKnown) peek_.clear();
+  peek(player, *stage, states, seconds);
+  if (isKnown) {
     const glm::dvec3 before = camera_.viewPoint().eye;
     const glm::dquat turned = camera_.viewPoint().orientation;
     camera_.lerp(player, stage->mesh, seconds);
@@ -146,11 +159,13 @@ void GameCamera::begin(const Pose& player, const StageModel& stage) {
   wholeFace_.reset();
   overview_ = begun_ || comfort_.view != CameraView::kFollow ? 0 : 1;
   const Pose goal = stage.mesh.pose(stage.goal.face, stage.goal.place, stage.goal.angle);
+  camera_.setPeek({});
   camera_.set(goal, stage.mesh, camera_.width(), camera_.height());
   if (flights_ && !comfort_.instantCut) {
     flight_.start(camera_.viewPoint());
     unfolding_ = viewOfUnfolding(stage.mesh, goal, double{1} * camera_.width() / camera_.height());
   }
+  camera_.setPeek(peek_);
   camera_.set(player, stage.mesh, camera_.width(), camera_.height());
 }
 

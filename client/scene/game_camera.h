@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "client/scene/camera.h"
 #include "client/scene/camera_controls.h"
 #include "client/scene/camera_target.h"
+#include "client/scene/element_states.h"
 #include "client/scene/solid_folding.h"
 #include "client/scene/solid_mesh.h"
 #include "client/scene/stage_model.h"
@@ -71,6 +73,7 @@ class GameCamera {
   static constexpr double kNearer = 0.1;             ///< part of the distance by which it comes nearer at a finish
   static constexpr double kApproachSeconds = 1.5;    ///< of the way there
   static constexpr double kWithdrawalSeconds = 0.3;  ///< of the way back
+  static constexpr double kPeekRate = 6;             ///< of the way to a view over an edge that opens, per second
   static constexpr double kOverviewSeconds = 0.8;    ///< from the whole face to the player after the first input
 
   void resize(std::uint32_t w, std::uint32_t h) { camera_.resize(w, h); }
@@ -91,8 +94,10 @@ class GameCamera {
   /// without one.
   double folded() const;
 
-  /// Follows `player` for `seconds` ≥ 0. On another stage than before, the camera jumps there.
-  void move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const LookInput& look, double seconds);
+  /// Follows `player` for `seconds` ≥ 0. On another stage than before, the camera jumps there. Near an edge it does not
+  /// turn to a face to which walls or elements in these states close the way.
+  void move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const ElementStates& states,
+            const LookInput& look, double seconds);
 
   /// Whether the last `move` has cut to another view of a camera that stands still and fades, since the last call.
   bool takeFadingCut() { return std::exchange(fadingCut_, false); }
@@ -102,6 +107,7 @@ class GameCamera {
 
  private:
   void begin(const Pose& player, const StageModel& stage);
+  void peek(const Pose& player, const StageModel& stage, const ElementStates& states, double seconds);
   void approach(double seconds);
   void leaveOverview(double seconds);
   ViewPoint overview(const Pose& player, const SolidMesh& mesh);
@@ -118,6 +124,7 @@ class GameCamera {
   bool flights_ = false;
   bool arrived_ = false;
   double approach_ = 0;                    // part of the time of the way nearer, 0 … 1
+  std::vector<double> peek_;               // PeekWeights of the camera
   FaceHold wholeFace_;                     // until the first input
   double overview_ = 0;                    // part of the time that is left of the way from there, 0 … 1
   bool begun_ = true;                      // on this stage

@@ -273,5 +273,32 @@ TEST(CameraWalk, WhereverTheBallRestsFloorsAreLevel) {
   });
 }
 
+// A jump on a floor 60 units below the edge pitched the picture up and down by 20 degrees and more.
+TEST(CameraWalk, AJumpBelowAnEdgeHardlyPitchesThePicture) {
+  forEverySolid([](const SolidMesh& mesh) {
+    if (mesh.faceSize() > 1000) return;
+    Walker walker;
+    walker.walk = {&mesh, 0, {0, 0}, 0};
+    const glm::dvec2 out = mesh.edgeNormals()[0];
+    walker.walk.place = (mesh.apothem() - 70) * out;
+    walker.walk.angle = std::atan2(-out.x, out.y);
+    walker.start();
+    const glm::dvec3 before = walker.camera.back();
+    const double whole = angleBetween(cameraTarget(walker.walk.pose(), mesh, 1).back(),
+                                      cameraTarget(mesh.pose(0, (mesh.apothem() - 10) * out, 0), mesh, 1).back());
+    double most = 0;
+    double height = 0;
+    double speed = 3.9;  // units a tick, and its loss: a jump of 60 units
+    while (height >= 0) {
+      const std::string where = nameOf(mesh, walker, "a jump");
+      ASSERT_NO_FATAL_FAILURE(walker.frame({0, speed}, where));
+      height += speed;
+      speed -= 0.127;
+      most = std::max(most, angleBetween(before, walker.camera.back()));
+    }
+    EXPECT_LT(most, 0.65 * whole) << nameOf(mesh, walker, "a jump");
+  });
+}
+
 }  // namespace
 }  // namespace platon::camera_walk_test

@@ -162,7 +162,7 @@ std::shared_ptr<const StageModel> stage() {
 class GameCameraTest : public testing::Test {
  protected:
   GameCameraTest() { camera_.resize(1280, 720); }
-  void move(const LookInput& look = {}, double seconds = kFrame) { camera_.move(player_, stage_, look, seconds); }
+  void move(const LookInput& look = {}, double seconds = kFrame) { camera_.move(player_, stage_, {}, look, seconds); }
 
   // The view without a flight.
   ViewPoint usual() const {
@@ -247,7 +247,7 @@ TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
     GameCamera camera;
     camera.setComfort({.instantCut = !reduced, .reducedMotion = reduced}, 1);
     camera.setFlights(true);
-    camera.move(player_, stage_, {}, kFrame);
+    camera.move(player_, stage_, {}, {}, kFrame);
     EXPECT_FALSE(camera.flying());
     EXPECT_EQ(camera.folded(), 1);
   }
@@ -278,16 +278,16 @@ TEST(GameCamera, TheWholeFaceIsSeenUntilTheFirstInput) {
           GameCamera camera;
           camera.resize(width, height);
           camera.setBegun(false);
-          camera.move(player, stage, {}, kFrame);
-          camera.move(player, stage, {}, 3);
+          camera.move(player, stage, {}, {}, kFrame);
+          camera.move(player, stage, {}, {}, 3);
           EXPECT_TRUE(seesWholeFace(camera.camera(), stage->mesh, 0)) << kind << " " << size << " " << angle;
           camera.setBegun(true);
-          for (int frame = 0; frame < 60; ++frame) camera.move(player, stage, {}, kFrame);
+          for (int frame = 0; frame < 60; ++frame) camera.move(player, stage, {}, {}, kFrame);
           Camera usual;
           usual.set(player, stage->mesh, width, height);
           EXPECT_LT(glm::distance(camera.camera().eye(), usual.eye()), 1e-6);
           camera.setBegun(false);
-          camera.move(player, stage, {}, kFrame);
+          camera.move(player, stage, {}, {}, kFrame);
           EXPECT_LT(glm::distance(camera.camera().eye(), usual.eye()), 1e-6) << "not again after a restart";
         }
       }
@@ -308,6 +308,29 @@ TEST_F(GameCameraTest, TheWayFromTheWholeFaceHasNoJump) {
     last = camera_.camera().eye();
   }
   EXPECT_LT(glm::distance(last, usual().eye), 1e-6);
+}
+
+// It looked over edges that walls close.
+TEST(GameCamera, DoesNotLookOverAnEdgeThatIsClosed) {
+  const auto seenFrom = [](const std::string& lines, const std::vector<std::uint8_t>& active, double height) {
+    const auto stage = makeStageModel(
+        *loadLevel("HEXAHEDRON\n0 0 0 0\n5 60 80\n480\n%\n" + lines + "%\n%\n%\n%\n%\n").level);
+    GameCamera camera;
+    camera.resize(1280, 720);
+    ElementStates states;
+    states.active = active;
+    const Pose player = stage->mesh.pose(0, {0, height}, 0);
+    for (int frame = 0; frame < 120; ++frame) camera.move(player, stage, states, {}, kFrame);
+    return std::acos(glm::dot(camera.camera().back(), stage->mesh.normal(0)));
+  };
+  const double middle = seenFrom("", {}, 0);
+  const double nearby = seenFrom("", {}, 200);
+  const double closed = seenFrom("-240 230 240 230\n", {}, 200);
+  EXPECT_GT(nearby, middle + 0.35);
+  EXPECT_LT(closed, middle + 0.25) << "only the ray from the centre leans the view";
+  EXPECT_EQ(seenFrom("-240 230 240 230 door 1\n", {1}, 200), closed);
+  EXPECT_EQ(seenFrom("-240 230 240 230 door 1\n", {0}, 200), nearby);
+  EXPECT_EQ(seenFrom("100 230 240 230\n", {}, 200), nearby) << "beside the way";
 }
 
 TEST_F(GameCameraTest, AtAFinishItComesSlowlyNearerByATenth) {
@@ -336,10 +359,10 @@ TEST_F(GameCameraTest, ReducedMotionInstantCutAndTheCameraOfAFaceComeNoNearer) {
     GameCamera camera;
     camera.resize(1280, 720);
     camera.setComfort(comfort, 1);
-    camera.move(player_, stage_, {}, kFrame);
+    camera.move(player_, stage_, {}, {}, kFrame);
     const glm::dvec3 eye = camera.camera().eye();
     camera.setArrived(true);
-    for (int frame = 0; frame < 120; ++frame) camera.move(player_, stage_, {}, kFrame);
+    for (int frame = 0; frame < 120; ++frame) camera.move(player_, stage_, {}, {}, kFrame);
     EXPECT_LT(glm::distance(camera.camera().eye(), eye), 1e-9);
   }
 }
@@ -379,7 +402,7 @@ TEST_F(GameCameraTest, OnlyTheCameraThatFadesHasFadingCutsAndOnlyAtAnotherView) 
     camera.resize(1280, 720);
     camera.setComfort({.reducedMotion = true, .view = view}, 1);
     const auto cutsAt = [&](const Pose& pose) {
-      camera.move(pose, stage_, {}, kFrame);
+      camera.move(pose, stage_, {}, {}, kFrame);
       return camera.takeFadingCut();
     };
     EXPECT_FALSE(cutsAt(stage_->mesh.pose(0, {0, 0}, 0))) << "the first view";
