@@ -16,10 +16,11 @@
 namespace platon {
 
 /// The camera stands above the player, whose right is level on the screen, and looks nearly along the normal of the
-/// face (cameraTarget); near an edge it turns to the next face. Where the player stops, floors become level. It follows the player with a delay, and leads a player
-/// who runs on; the middle of the picture is a little nearer to the centre of the solid. The player is always in the
-/// middle part of the picture, and never hidden by the solid: where the player is too far from there, as after a return
-/// to the start, the camera jumps. With CameraView::kFace and kFaceFade it stands still on each face.
+/// face (cameraTarget); near an edge it turns to the next face. Where the player stops, floors become level. It follows
+/// the player with a delay, and leads a player who runs on; the middle of the picture is a little nearer to the centre
+/// of the solid. The player is always in the middle part of the picture, and never hidden by the solid: where the
+/// player is too far from there, as after a return to the start, the camera jumps. With CameraView::kFace and kFaceFade
+/// it stands still on each face.
 class Camera {
  public:
   static constexpr double kFollowSpeed = 14;  ///< rate of the approach to the player's position, per second
@@ -66,8 +67,8 @@ class Camera {
   /// Transforms from space to OpenGL's clip space.
   glm::dmat4 viewProjection() const;
 
-  /// Angle from the screen's right to the player's right, seen along the line of sight, radians counter-clockwise; after
-  /// `set` in the middle part of a face at most 0.01. `show` does not affect it.
+  /// Angle from the screen's right to the player's right, seen along the line of sight, radians counter-clockwise;
+  /// after `set` in the middle part of a face at most 0.01. `show` does not affect it.
   double rollOf(const Pose& player) const;
 
   std::uint32_t width() const { return width_; }

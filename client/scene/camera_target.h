@@ -42,12 +42,12 @@ struct Peek {
 /// at the edges is narrower. `place` is on the surface.
 glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place, PeekWeights weights = {});
 
-/// Of a player who moves. The line of sight is nearly the rounded normal, with a part of the ray from the solid's centre
-/// (kPartOfRay), so that the neighbouring faces are seen. In the middle part of a face the player's right is level on
-/// the screen; near edges and corners, it turns evenly with the way. `zoom` is a magnification, more than 0.
+/// Of a player who moves. The line of sight is nearly the rounded normal, with a part of the ray from the solid's
+/// centre (kPartOfRay), so that the neighbouring faces are seen. In the middle part of a face the player's right is
+/// level on the screen; near edges and corners, it turns evenly with the way. `zoom` is a magnification, more than 0.
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom, const Peek& peek = {});
-/// Of a player who rests: the same line of sight, but a floor along the player's right is level in the picture, wherever
-/// the player is.
+/// Of a player who rests: the same line of sight, but a floor along the player's right is level in the picture,
+/// wherever the player is.
 CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom, PeekWeights weights = {});
 
 constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture

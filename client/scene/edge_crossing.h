@@ -16,8 +16,8 @@ namespace platon {
 /// picture points out.
 bool wayIsFree(const StageModel& stage, const ElementStates& states, int face, glm::dvec2 from, glm::dvec2 to);
 
-/// By face: 1 if nothing lies between the player and the common edge with its face, else 0. Of a face over two edges, as
-/// at a corner: the least of those between.
+/// By face: 1 if nothing lies between the player and the common edge with its face, else 0. Of a face over two edges,
+/// as at a corner: the least of those between.
 std::vector<double> freeFaces(const StageModel& stage, const ElementStates& states, const Pose& player);
 
 /// What shows that edges are doors and that down is carried over them: an edge that the local player can cross lights

@@ -66,8 +66,8 @@ class LookRound {
 };
 
 /// The camera of the game: it flies from the goal to the player at the start of a level, while the unfolded solid is
-/// folded, shows the whole face until the player's first input, follows the player, comes slowly nearer at a finish, and
-/// turns round the solid while the player looks round.
+/// folded, shows the whole face until the player's first input, follows the player, comes slowly nearer at a finish,
+/// and turns round the solid while the player looks round.
 class GameCamera {
  public:
   static constexpr double kNearer = 0.1;             ///< part of the distance by which it comes nearer at a finish
@@ -123,11 +123,11 @@ class GameCamera {
   bool fadingCut_ = false;
   bool flights_ = false;
   bool arrived_ = false;
-  double approach_ = 0;                    // part of the time of the way nearer, 0 … 1
-  std::vector<double> peek_;               // PeekWeights of the camera
-  FaceHold wholeFace_;                     // until the first input
-  double overview_ = 0;                    // part of the time that is left of the way from there, 0 … 1
-  bool begun_ = true;                      // on this stage
+  double approach_ = 0;       // part of the time of the way nearer, 0 … 1
+  std::vector<double> peek_;  // PeekWeights of the camera
+  FaceHold wholeFace_;        // until the first input
+  double overview_ = 0;       // part of the time that is left of the way from there, 0 … 1
+  bool begun_ = true;         // on this stage
   bool begunNow_ = true;
   std::weak_ptr<const StageModel> stage_;  // of the last move
 };

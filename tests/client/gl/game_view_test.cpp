@@ -120,7 +120,7 @@ TEST_F(GameViewTest, OnAnotherStageTheCameraJumpsToItsTarget) {
   drawn(view, &scene_);
   // The letters lie elsewhere in the texture, which some drivers round in another way.
   EXPECT_LE(largestDifference(drawn(view, &turned), expected), kRounding);
-  EXPECT_NEAR(view.roll(), 0, 1e-9);
+  EXPECT_NEAR(view.roll(), 0, 1e-3);
 }
 
 TEST_F(GameViewTest, OnTheSameStageTheCameraMovesGradually) {

@@ -313,8 +313,8 @@ TEST_F(GameCameraTest, TheWayFromTheWholeFaceHasNoJump) {
 // It looked over edges that walls close.
 TEST(GameCamera, DoesNotLookOverAnEdgeThatIsClosed) {
   const auto seenFrom = [](const std::string& lines, const std::vector<std::uint8_t>& active, double height) {
-    const auto stage = makeStageModel(
-        *loadLevel("HEXAHEDRON\n0 0 0 0\n5 60 80\n480\n%\n" + lines + "%\n%\n%\n%\n%\n").level);
+    const auto stage =
+        makeStageModel(*loadLevel("HEXAHEDRON\n0 0 0 0\n5 60 80\n480\n%\n" + lines + "%\n%\n%\n%\n%\n").level);
     GameCamera camera;
     camera.resize(1280, 720);
     ElementStates states;
