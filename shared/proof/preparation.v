@@ -122,13 +122,12 @@ Qed.
 
 (** ** Shapes: Convex *)
 
-(* The products of a cross product and their difference: see products_fit. *)
+(* The products of a cross product and their difference: those of a dot product with q turned by a quarter. *)
 Lemma crosswise_fit bits p q : 0 <= bits -> isNormal p -> below bits (x q) /\ below bits (y q) ->
   below (30 + bits) (x p * y q) /\ below (30 + bits) (y p * x q) /\ below (31 + bits) (cross p q).
 Proof.
-  intros B [N M] [C D]. pose proof (product_of 30 bits _ _ ltac:(lia) B N D) as P.
-  pose proof (product_of 30 bits _ _ ltac:(lia) B M C) as Q. split; [exact P | split; [exact Q |]].
-  unfold cross, below in *. replace (31 + bits) with (Z.succ (30 + bits)) by lia. rewrite Z.pow_succ_r by lia. lia.
+  intros B N [C D]. destruct (products_fit bits p (point (y q) (- x q)) B N) as (P & Q & S);
+    unfold dot, cross, below in *; cbn [x y] in *; lia.
 Qed.
 
 Lemma in_range_fits v : inRange v = true -> isPoint29 v.
