@@ -13,13 +13,15 @@
 namespace platon {
 namespace {
 
-// Whether the key is taken, the door open, or the plate pressed. A plate of which the key is taken keeps still.
+// Whether the key is taken, the door or the timed segment open, or the plate pressed. A plate of which the key is taken
+// keeps still.
 bool isOn(const Game& game, const Element& element) {
   switch (element.kind) {
     case ElementKind::kKey:
       return game.isTaken(element);
     case ElementKind::kDoor:
-      return (game.openDoors() & element.bit()) != 0;
+    case ElementKind::kTimed:
+      return game.open().has(element);
     case ElementKind::kPlate:
       return (game.openDoors() & element.bit()) != 0 && !game.isTaken(element);
     case ElementKind::kOneway:
@@ -40,6 +42,8 @@ std::optional<Sound> soundOf(ElementKind kind, bool on) {
       return on ? Sound::kDoorOpens : Sound::kDoorCloses;
     case ElementKind::kPlate:
       return on ? Sound::kPlateDown : Sound::kPlateUp;
+    case ElementKind::kTimed:
+      return on ? Sound::kFenceDown : Sound::kFenceUp;
     case ElementKind::kOneway:
     case ElementKind::kUp:
     case ElementKind::kHazard:

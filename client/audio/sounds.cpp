@@ -126,6 +126,10 @@ Pcm makeSound(Sound sound) {
       return knock(-2, 0.09, 0.6);
     case Sound::kPlateUp:
       return knock(-1, 0.07, 0.45);
+    case Sound::kFenceDown:
+      return knock(4, 0.05, 0.25);
+    case Sound::kFenceUp:
+      return knock(2, 0.05, 0.25);
     case Sound::kHazard:
       return hazard();
     case Sound::kCheckpoint:

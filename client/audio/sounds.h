@@ -23,6 +23,8 @@ enum class Sound : std::uint8_t {
   kDoorCloses,
   kPlateDown,
   kPlateUp,
+  kFenceDown,  ///< a timed segment opens
+  kFenceUp,    ///< it becomes solid
   kHazard,
   kCheckpoint,
   kRestart,

@@ -43,6 +43,7 @@ struct Obstacles {
         return true;
       case ElementKind::kCheckpoint:
       case ElementKind::kKey:
+      case ElementKind::kTimed:
         return false;
     }
     return true;

@@ -13,7 +13,7 @@ namespace {
 bool isBefore(const EditedSegment& left, const EditedSegment& right) {
   const auto key = [](const EditedSegment& segment) {
     const SegmentWord& word = segment.word;
-    return std::tuple(segment.face, segment.a.x, segment.a.y, segment.b.x, segment.b.y, word.kind, word.number);
+    return std::tuple(segment.face, segment.a.x, segment.a.y, segment.b.x, segment.b.y, word.kind, word.numbers);
   };
   return key(left) < key(right);
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include <glm/vec2.hpp>
@@ -16,16 +19,20 @@ struct FacePlace {
   friend bool operator==(const FacePlace&, const FacePlace&) = default;
 };
 
-/// The word of a segment with its number. Without a kind, it is a plain segment.
+/// The word of a segment with its numbers. Without a kind, it is a plain segment.
 struct SegmentWord {
   std::optional<ElementKind> kind;
-  int number = 0;  ///< counts only if hasNumber(kind)
+  std::array<int, 2> numbers{};  ///< as many count as numbersOf(kind) says
+
+  /// How many numbers count.
+  std::size_t count() const { return kind ? numbersOf(*kind) : 0; }
 
   /// Whether the number is that of an edge of the face.
   bool namesEdge() const { return kind && traitsOf(*kind).number == ElementNumber::kEdge; }
 
   friend bool operator==(const SegmentWord& a, const SegmentWord& b) {
-    return a.kind == b.kind && (!a.kind || !hasNumber(*a.kind) || a.number == b.number);
+    return a.kind == b.kind &&
+           std::equal(a.numbers.begin(), a.numbers.begin() + static_cast<std::ptrdiff_t>(a.count()), b.numbers.begin());
   }
 };
 

@@ -19,7 +19,7 @@ constexpr float kPanelWidth = 250;
 constexpr float kSize = kSmallestText;
 constexpr std::size_t kMaxLines = 5;  // of the report
 
-constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
+constexpr std::array<std::array<const char*, 2>, 21> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
                                                             {"left button", "use the tool"},
                                                             {"right button, arrows", "turn the solid"},
                                                             {"wheel, Page Up/Down", "zoom"},
@@ -29,6 +29,7 @@ constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "t
                                                             {"+  -", "grid"},
                                                             {"X, Shift+X", "next, previous word"},
                                                             {"0 … 9", "number; for up: the top edge"},
+                                                            {",", "then digits: how long timed is open"},
                                                             {"F", "flip the direction"},
                                                             {"Delete", "erase the selected segment"},
                                                             {"Ctrl+Z, Ctrl+Y", "undo, redo"},
@@ -172,7 +173,9 @@ std::vector<std::string> linesOf(const LevelReport& report) {
 
 std::string nameOf(const SegmentWord& word) {
   if (!word.kind) return "segment";
-  return std::string(wordOf(*word.kind)) + (hasNumber(*word.kind) ? " " + std::to_string(word.number) : "");
+  std::string name(wordOf(*word.kind));
+  for (std::size_t i = 0; i < word.count(); ++i) name += " " + std::to_string(word.numbers[i]);
+  return name;
 }
 
 Overlay makeEditorPanel(const EditorStatus& status, const Font& font, glm::vec2 screen) {

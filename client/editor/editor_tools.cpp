@@ -9,25 +9,35 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
+#include "platon/game/game.h"
+
 namespace platon {
 namespace {
 
 constexpr double kReach = 9;  // of the pointer, units of the virtual screen
 
-// How many numbers the word may have. One that needs none may become any other.
-int numbersOf(const SegmentWord& word, int edges) {
-  const auto numbers = [edges](ElementKind kind) {
-    return static_cast<int>(numbersAfter(kind, static_cast<std::uint32_t>(edges)));
+constexpr int kUsualTicks = kTicksPerSecond;  // of a timed segment, solid and open
+
+// The largest number that the word may have. One that needs none may become any other.
+int lastNumberOf(const SegmentWord& word, int edges) {
+  const auto last = [edges](ElementKind kind) {
+    return static_cast<int>(rangeOf(kind, static_cast<std::uint32_t>(edges)).last);
   };
-  if (word.kind && hasNumber(*word.kind)) return numbers(*word.kind);
-  int most = 1;
-  for (const ElementKind kind : kElementKinds) most = std::max(most, numbers(kind));
+  if (word.count() > 0) return last(*word.kind);
+  int most = 0;
+  for (const ElementKind kind : kElementKinds) most = std::max(most, last(kind));
   return most;
 }
 
-// The word with a number that it may have.
+// The word with numbers that it may have.
 SegmentWord fitted(SegmentWord word, int edges) {
-  word.number %= numbersOf(word, edges);
+  for (std::size_t i = 0; i < word.count(); ++i) {
+    const NumberRange range = rangeOf(*word.kind, static_cast<std::uint32_t>(edges));
+    const auto number = static_cast<std::uint32_t>(word.numbers[i]);
+    if (number >= range.first && number <= range.last) continue;
+    const bool isTime = traitsOf(*word.kind).number == ElementNumber::kTicks;
+    word.numbers[i] = isTime ? kUsualTicks : static_cast<int>(number % (range.last + 1));
+  }
   return word;
 }
 
@@ -36,8 +46,8 @@ SegmentWord wordBeside(const SegmentWord& word, bool back, int edges) {
   const std::size_t count = kElementKinds.size() + 1;
   const std::size_t now = word.kind ? static_cast<std::size_t>(*word.kind) + 1 : 0;
   const std::size_t next = (now + (back ? count - 1 : 1)) % count;
-  if (next == 0) return {std::nullopt, word.number};
-  return fitted({kElementKinds[next - 1], word.number}, edges);
+  if (next == 0) return {std::nullopt, word.numbers};
+  return fitted({kElementKinds[next - 1], word.numbers}, edges);
 }
 
 // The indices of segments change when pieces on other faces are added. Of equal ones, any is as good.
@@ -81,6 +91,7 @@ void EditorTools::move(const PointerEvent& event, const Camera& seen) {
 
 bool EditorTools::press(const PointerEvent& event, const Camera& seen) {
   typing_ = false;
+  typed_ = 0;
   const FacePlace at{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(seen))};
   const std::optional<PickedSegment> picked = hovered_;
   switch (tool_) {
@@ -126,6 +137,7 @@ bool EditorTools::handle(Key key, bool shift) {
   if (key >= Key::kDigit0 && key <= Key::kDigit9)
     return typeDigit(static_cast<int>(key) - static_cast<int>(Key::kDigit0));
   typing_ = false;
+  typed_ = key == Key::kComma ? 1 : 0;
   if (tool != kEditTools.end()) choose(tool->tool);
   switch (key) {
     case Key::kEscape:
@@ -227,12 +239,13 @@ bool EditorTools::eraseSelected() {
 bool EditorTools::typeDigit(int digit) {
   const int edges = mesh().solid().edgesPerFace();
   SegmentWord word = this->word();
-  const int all = word.number * 10 + digit;
-  word.number = typing_ && all < numbersOf(word, edges) ? all : digit;
+  int& number = word.numbers[word.count() > 1 ? typed_ : 0];
+  const int all = number * 10 + digit;
+  number = typing_ && all <= lastNumberOf(word, edges) ? all : digit;
   typing_ = true;
   word = fitted(word, edges);
   word_ = word;
-  if (!selected_ || !word.kind || !hasNumber(*word.kind)) return false;
+  if (!selected_ || word.count() == 0) return false;
   EditedSegment changed = segments()[*selected_];
   changed.word = word;
   return edit([&](LevelDocument& document) { document.replace(*selected_, changed); });

@@ -82,7 +82,8 @@ class EditorTools {
   EditedLevel& level_;
   EditTool tool_ = EditTool::kSelect;
   SegmentWord word_;                  // of the next segment
-  bool typing_ = false;               // the digits of its number
+  std::size_t typed_ = 0;             // index of the number to which digits belong
+  bool typing_ = false;               // the digits of that number
   std::size_t grid_ = 2;              // index into kGrids
   std::optional<FacePlace> pointer_;  // on the solid
   bool free_ = false;                 // Alt is held

@@ -29,7 +29,8 @@ EditedSegment segmentOf(const LevelLine& line) {
   const auto number = [&](std::size_t token) { return numberOf(line.tokens[token].text); };
   EditedSegment segment{line.face, {number(0), number(1)}, {number(2), number(3)}, {}};
   if (line.tokens.size() > 4) segment.word.kind = elementKindOf(line.tokens[4].text);
-  if (line.tokens.size() > 5) segment.word.number = static_cast<int>(number(5));
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, std::max<std::size_t>(line.tokens.size(), 5) - 5); ++i)
+    segment.word.numbers[i] = static_cast<int>(number(5 + i));
   return segment;
 }
 
@@ -39,7 +40,7 @@ std::vector<std::string> wordsOf(const EditedSegment& segment) {
     words.push_back(coordinateText(value));
   if (!segment.word.kind) return words;
   words.emplace_back(platon::wordOf(*segment.word.kind));
-  if (hasNumber(*segment.word.kind)) words.push_back(std::to_string(segment.word.number));
+  for (std::size_t i = 0; i < segment.word.count(); ++i) words.push_back(std::to_string(segment.word.numbers[i]));
   return words;
 }
 

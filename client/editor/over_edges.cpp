@@ -49,7 +49,8 @@ EditedSegment behind(const SolidMesh& mesh, EditedSegment segment, int edge) {
     // Edge numbers grow counter-clockwise, as angles do.
     const int edges = mesh.solid().edgesPerFace();
     const double turned = double{1} * next.turn.centidegrees() * edges / Angle::kTurn;
-    segment.word.number = static_cast<int>(std::lround(segment.word.number + turned + edges)) % edges;
+    int& edgeNamed = segment.word.numbers[0];
+    edgeNamed = static_cast<int>(std::lround(edgeNamed + turned + edges)) % edges;
   }
   return segment;
 }

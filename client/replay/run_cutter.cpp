@@ -27,7 +27,8 @@ void RunCutter::begin(const Game& game, std::uint32_t slot) {
   known_ = false;
   inputs_.clear();
   groupInputs_.clear();
-  start_ = game.level().doorNumbers == 0 ? std::nullopt : std::optional(game);
+  const bool isShared = game.level().doorNumbers != 0 || game.level().isTimed;
+  start_ = isShared ? std::optional(game) : std::nullopt;
   rest_.reset();
   if (start_ || (own_ && own_->player.startedAt == 0)) rest_.emplace(game.sharedLevel());
   // A player who has pressed nothing since it came has only fallen.

@@ -65,8 +65,9 @@ class RunCutter {
   std::optional<Own> own_;                       // after the last tick; nothing: the player is absent
   bool known_ = false;                           // inputs_ leads from a new game to own_
   std::vector<Input> inputs_;                    // of the local player in a game of its own
-  std::optional<LevelRest> rest_;                // on a level with doors, or if own_ has not started in `begin`
-  std::optional<Game> start_;                    // of the group's game, on a level with doors
+  std::optional<LevelRest> rest_;                // on a level with doors or timed segments, or if own_ has not started
+                                                 // in `begin`
+  std::optional<Game> start_;                    // of the group's game, on a level with doors or timed segments
   std::vector<std::vector<Input>> groupInputs_;  // since start_
 };
 

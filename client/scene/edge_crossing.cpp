@@ -29,6 +29,7 @@ bool blocks(const ElementDrawing& drawing, const ElementStates& states) {
     case ElementKind::kPlate:
       return true;
     case ElementKind::kDoor:
+    case ElementKind::kTimed:
     case ElementKind::kUp:
       return drawing.element < states.active.size() && states.active[drawing.element] != 0;
     case ElementKind::kOneway:

@@ -20,6 +20,13 @@ Pose poseOf(const Game& game, std::optional<std::uint32_t> local, const SolidMes
   return mesh.pose(static_cast<int>(player.part), toUnits(player.position), toRadians(player.angle));
 }
 
+float clockOf(const Element& element, std::uint32_t tick) {
+  if (element.kind != ElementKind::kTimed) return 0;
+  const TimedPhase phase = phaseOf(element, tick);
+  const float left = static_cast<float>(phase.ticksLeft) / static_cast<float>(phase.ticks);
+  return phase.isOpen ? 1 - left : left;
+}
+
 }  // namespace
 
 glm::dvec2 carriedUp(const SolidMesh& mesh, const Pose& pose, int face) {
@@ -54,7 +61,8 @@ ElementStates elementStatesOf(const Game& game, std::optional<std::uint32_t> loc
       case ElementKind::kKey:
         return !game.isTaken(element);
       case ElementKind::kDoor:
-        return (game.openDoors() & element.bit()) == 0;
+      case ElementKind::kTimed:
+        return !game.open().has(element);
       case ElementKind::kPlate:
         return (game.openDoors() & element.bit()) != 0;
       case ElementKind::kOneway:
@@ -63,7 +71,10 @@ ElementStates elementStatesOf(const Game& game, std::optional<std::uint32_t> loc
     }
     return true;
   };
-  for (const Element& element : elements) states.active.push_back(isActive(element, states.active.size() + 1) ? 1 : 0);
+  for (const Element& element : elements) {
+    states.active.push_back(isActive(element, states.active.size() + 1) ? 1 : 0);
+    states.clocks.push_back(clockOf(element, game.tick()));
+  }
   return states;
 }
 

@@ -11,11 +11,15 @@
 
 namespace platon {
 
-/// What changes in the picture of the elements during a game. Both lists are empty in a level without elements.
+/// What changes in the picture of the elements during a game. The lists are empty in a level without elements.
 struct ElementStates {
   /// By Level::elements, 1: the `up` blocks the local player; the local player returns to the checkpoint; the key can
-  /// be taken; the door is closed; the doors of the plate are open. Always 1 for other kinds.
+  /// be taken; the door is closed; the doors of the plate are open; the timed segment is solid. Always 1 for other
+  /// kinds.
   std::vector<std::uint8_t> active;
+  /// By Level::elements: how full the clock of a timed segment is, 0 … 1. It empties while the segment is solid, and
+  /// fills while it is open. 0 for other kinds.
+  std::vector<float> clocks;
   std::vector<glm::vec2> ups;  ///< by face: the local player's up, carried there; unit, in the frame of the face
 };
 

@@ -85,6 +85,7 @@ const Colour kGold(0.95F, 0.72F, 0.28F);
 const Colour kRed(1.0F, 0.40F, 0.34F);
 const Colour kViolet(0.74F, 0.55F, 0.95F);
 const Colour kBlue(0.62F, 0.80F, 0.98F);
+const Colour kGreen(0.58F, 0.90F, 0.62F);
 
 // The walls of one element.
 class ElementWalls {
@@ -110,6 +111,8 @@ class ElementWalls {
         return addRails();
       case ElementKind::kPlate:
         return addPlate();
+      case ElementKind::kTimed:
+        return addPosts();
       case ElementKind::kCheckpoint:
       case ElementKind::kKey:
         return;
@@ -157,6 +160,17 @@ class ElementWalls {
         addRod({0, side}, {leaf, side}, 0.4 * kWidth, height, kGold);
         addRod({length_ - leaf, side}, {length_, side}, 0.4 * kWidth, height, kGold);
       }
+    }
+  }
+
+  // A fence of posts that sink into the face while it is open.
+  void addPosts() {
+    const double count = pieces(2 * kWidth);
+    const double gap = length_ / count;
+    const double height = glm::mix(kLow, Wall::kHeight, active_);
+    for (double i = 0.5; i < count; ++i) {
+      const double half = 0.2 * std::min(gap, 2 * kWidth);
+      addRod({i * gap - half, 0}, {i * gap + half, 0}, 0.45 * kWidth, height, kGreen);
     }
   }
 

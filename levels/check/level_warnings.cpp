@@ -49,7 +49,7 @@ void warnOfGoalAtWall(const Level& level, Diagnostics& diagnostics) {
 
 // Of the doors of a number, the first one of the text is named.
 void warnOfShutDoors(const Level& level, Diagnostics& diagnostics) {
-  std::map<std::uint8_t, TextPosition> doors;
+  std::map<std::uint16_t, TextPosition> doors;
   for (const Element& element : level.elements) {
     if (!isDoor(element.kind) || (level.doorNumbers & element.bit()) != 0) continue;
     const TextPosition at = level.positions[element.face][element.segment];

@@ -50,6 +50,8 @@ Colour Tints::checkpoint() { return oklch(0.48, 0.12, 235); }
 
 Colour Tints::lock() { return oklch(0.52, 0.11, 80); }
 
+Colour Tints::timed() { return oklch(0.46, 0.10, 200); }
+
 Colour Tints::plate() { return oklch(0.48, 0.15, 310); }
 
 namespace {
@@ -113,6 +115,8 @@ void ElementPainter::paint(glm::dvec2 a, glm::dvec2 b, const ElementStyle& style
       return paintDoor(track, style.number);
     case ElementKind::kPlate:
       return paintPlate(track, style.number);
+    case ElementKind::kTimed:
+      return paintTimed(track);
   }
 }
 
@@ -191,6 +195,20 @@ void ElementPainter::paintPlate(const Track& track, int number) {
   canvas_->line(track.at(0.15 * track.length, 1.4 * width_), track.at(0.85 * track.length, 1.4 * width_));
   canvas_->stroke({Tints::plate()}, 2 * width_);
   paintNumber(track.middle() + 5.5 * width_ * track.left, number, Tints::plate());
+}
+
+// The clock stands upright in the frame of the face.
+void ElementPainter::paintTimed(const Track& track) {
+  repeat(track, 3 * width_,
+         [&](double distance) { canvas_->line(track.at(distance, -1.2 * width_), track.at(distance, 1.2 * width_)); });
+  canvas_->stroke({Tints::timed()}, 1.2 * width_);
+  const glm::dvec2 middle = track.middle();
+  canvas_->circle(middle, 4 * width_);
+  canvas_->fill({tints_->background()});
+  canvas_->circle(middle, 3.2 * width_);
+  const glm::dvec2 hands[] = {middle + width_ * glm::dvec2(0, 2.2), middle, middle + width_ * glm::dvec2(1.6, 0)};
+  canvas_->lines(hands);
+  canvas_->stroke({Tints::timed()}, 0.7 * width_);
 }
 
 void ElementPainter::paintNumber(glm::dvec2 middle, int number, Colour colour) {

@@ -30,6 +30,7 @@ class Tints {
   /// Of keys and doors.
   static Colour lock();
   static Colour plate();
+  static Colour timed();
 
  private:
   double hue_;  // degrees
@@ -61,6 +62,7 @@ struct ElementStyle {
 ///   key         dots, and a key with its number
 ///   door        two lines, and its number
 ///   plate       a line with a bar on its left side, and its number
+///   timed       a row of bars, and a clock
 class ElementPainter {
  public:
   /// `width` is that of a wall, in the units of the canvas's map, whose +y points up. `canvas` and `tints` must outlive
@@ -95,6 +97,7 @@ class ElementPainter {
   void strokeKey(glm::dvec2 bow, const Ink& ink, double thickness);
   void paintDoor(const Track& track, int number);
   void paintPlate(const Track& track, int number);
+  void paintTimed(const Track& track);
   void paintNumber(glm::dvec2 middle, int number, Colour colour);
 
   Canvas* canvas_;

@@ -267,6 +267,7 @@ void ReachGrid::addBlocking(const ReachWall& wall) {
     case ReachWall::Kind::kSolid:
     case ReachWall::Kind::kDoor:
       break;
+    case ReachWall::Kind::kTimed:
     case ReachWall::Kind::kOneway:
     case ReachWall::Kind::kTrigger:
       return;

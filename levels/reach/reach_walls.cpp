@@ -75,6 +75,9 @@ class WallList {
         wall.kind = ReachWall::Kind::kDoor;
         wall.doors = wall.element->bit();
         return true;
+      case ElementKind::kTimed:
+        wall.kind = ReachWall::Kind::kTimed;
+        return true;
       case ElementKind::kCheckpoint:
       case ElementKind::kKey:
         wall.kind = ReachWall::Kind::kTrigger;

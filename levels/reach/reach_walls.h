@@ -15,6 +15,7 @@ struct ReachWall {
     kSolid,   ///< blocks always
     kOneway,  ///< blocks from its left
     kDoor,    ///< blocks until it is opened
+    kTimed,   ///< blocks at times: a player may stand on it, and may pass it
     kTrigger  ///< never blocks: a checkpoint or a key
   };
 

@@ -43,6 +43,7 @@ bool uses(const Game& game, std::uint32_t slot, const Element& element) {
     case ElementKind::kUp:
     case ElementKind::kHazard:
     case ElementKind::kDoor:
+    case ElementKind::kTimed:
       return false;
   }
   return false;

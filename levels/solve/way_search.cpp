@@ -38,6 +38,7 @@ std::optional<WaySearch::Target::Kind> targetOf(ElementKind kind) {
     case ElementKind::kHazard:
     case ElementKind::kCheckpoint:
     case ElementKind::kDoor:
+    case ElementKind::kTimed:
       return std::nullopt;
   }
   return std::nullopt;
@@ -154,7 +155,14 @@ std::uint64_t WaySearch::signature() const {
   if (limits_.crossings) hash = mix(hash, entity.crossings);
   const bool mayJump = player.coyote != 0 && (player.held & Input::kJump) == 0;
   hash = mix(hash, (mayJump ? 1u : 0u) | (player.jumping != 0 ? 2u : 0u) | std::uint64_t{player.checkpoint} << 2);
-  return mix(hash, game_.openDoors());
+  hash = mix(hash, game_.openDoors());
+  if (!game_.level().isTimed) return hash;
+  for (const Element& element : game_.level().elements) {
+    if (element.kind != ElementKind::kTimed) continue;
+    const TimedPhase phase = phaseOf(element, game_.tick());
+    hash = mix(hash, std::uint64_t{phase.ticksLeft / kStride} << 1 | (phase.isOpen ? 1u : 0u));
+  }
+  return hash;
 }
 
 std::vector<Input> WaySearch::inputsTo(const Target& target) const {

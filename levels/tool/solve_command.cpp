@@ -33,7 +33,7 @@ std::string elementsText(const Level& level, const SolutionFacts& facts, bool js
   std::vector<std::string> names;
   for (const std::uint32_t index : facts.elements) {
     const Element& element = level.elements[index];
-    const std::string name = ElementWord{element.kind, element.number}.text();
+    const std::string name = ElementWord{element.kind, element.number, element.openTicks}.text();
     names.push_back(json ? jsonText(name) : name);
   }
   return joined(names, json ? "," : ", ");
@@ -112,7 +112,7 @@ int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options)
 // "key 1", "a checkpoint"; empty if none is excluded.
 std::string excludedText(const SolveOptions& options) {
   if (!options.without) return "";
-  return (hasNumber(options.without->kind) ? "" : "a ") + options.without->text();
+  return (numbersOf(options.without->kind) > 0 ? "" : "a ") + options.without->text();
 }
 
 // What is to be proved: "every way to the goal uses key 1".

@@ -15,7 +15,10 @@ std::optional<ElementKind> elementKindOf(std::string_view word) {
 }
 
 std::string ElementWord::text() const {
-  return std::string(wordOf(kind)) + (hasNumber(kind) ? " " + std::to_string(number) : "");
+  std::string text(wordOf(kind));
+  if (numbersOf(kind) > 0) text += " " + std::to_string(number);
+  if (numbersOf(kind) > 1) text += " " + std::to_string(openTicks);
+  return text;
 }
 
 bool isAmong(std::span<const ElementWord> words, const Element& element) {
@@ -27,14 +30,14 @@ std::optional<ElementWord> needOf(std::string_view text) {
   const std::size_t end = std::min(text.find_first_of(blanks), text.size());
   const auto kind = elementKindOf(text.substr(0, end));
   if (!kind) return std::nullopt;
-  if (isCheckpoint(*kind) && end == text.size()) return ElementWord{*kind};
+  if (isCheckpoint(*kind) && end == text.size()) return ElementWord{*kind, 0};
   if (!opensDoors(*kind) || end == text.size()) return std::nullopt;
   const std::string_view digits = text.substr(std::min(text.find_first_not_of(blanks, end), text.size()));
   LevelNumber number;
   if (parseNumber(digits, kMaxDoorNumbers - 1, number) != NumberFault::kNone ||
       digits.find_first_of("-.") != std::string_view::npos)
     return std::nullopt;
-  return ElementWord{*kind, static_cast<std::uint8_t>(number.whole())};
+  return ElementWord{*kind, static_cast<std::uint16_t>(number.whole())};
 }
 
 const Element* findElement(std::span<const Element> elements, std::uint32_t face, std::uint32_t segment) {

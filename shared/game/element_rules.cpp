@@ -25,7 +25,7 @@ bool isLeftOf(const Segment& segment, Point centre) {
 
 }  // namespace
 
-ElementRules::ElementRules(const Level& level, std::uint32_t open)
+ElementRules::ElementRules(const Level& level, OpenElements open)
     : elements_(level.elements), edgesPerFace_(PlatonicSolid::of(level.solid).edgesPerFace()), open_(open) {}
 
 bool ElementRules::mayPierce(std::uint32_t part, std::uint32_t index) const {
@@ -42,7 +42,8 @@ bool ElementRules::pierce(const Entity& entity, const SegmentRef& segment) const
     case ElementKind::kUp:
       return !pointsTo(upOnFaceOf(segment, entity), *element, edgesPerFace_);
     case ElementKind::kDoor:
-      return (open_ & element->bit()) != 0;
+    case ElementKind::kTimed:
+      return open_.has(*element);
     case ElementKind::kHazard:
     case ElementKind::kPlate:
       return false;

@@ -13,8 +13,8 @@ namespace platon {
 /// Decides which elements of a level block. A level without elements costs nothing: only contacts are asked for then.
 class ElementRules : public Rules {
  public:
-  /// `open` has the bits of the doors that are open. `level` must outlive the object.
-  ElementRules(const Level& level, std::uint32_t open);
+  /// `level` must outlive the object.
+  ElementRules(const Level& level, OpenElements open);
 
   Scope scope() const override { return elements_.empty() ? Scope::kContacts : Scope::kSegments; }
   bool pierce(const Entity& entity, const SegmentRef& segment) const override;
@@ -35,7 +35,7 @@ class ElementRules : public Rules {
  private:
   const std::vector<Element>& elements_;
   std::int32_t edgesPerFace_;
-  std::uint32_t open_;
+  OpenElements open_;
 };
 
 }  // namespace platon

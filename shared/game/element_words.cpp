@@ -1,6 +1,7 @@
 #include "shared/game/element_words.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,12 +40,12 @@ std::string hintFor(std::string_view word) {
   return hint + ", or no word";
 }
 
-// Element::number is one byte. A pentagon has the most edges.
+// Element::number has two bytes. A pentagon has the most edges.
 static_assert(std::all_of(kElementKinds.begin(), kElementKinds.end(),
-                          [](ElementKind kind) { return numbersAfter(kind, 5) <= 256; }));
+                          [](ElementKind kind) { return rangeOf(kind, 5).last <= UINT16_MAX; }));
 
-// What the number after the word means.
-std::string_view meaningOf(ElementKind kind) {
+// What a number after the word means. `index`: of the number.
+std::string_view meaningOf(ElementKind kind, std::size_t index) {
   switch (traitsOf(kind).number) {
     case ElementNumber::kNone:
       return {};
@@ -52,21 +53,29 @@ std::string_view meaningOf(ElementKind kind) {
       return "the number of an edge of the face";
     case ElementNumber::kDoor:
       return "the number of a door and of its keys and plates";
+    case ElementNumber::kTicks:
+      return index == 0 ? "the ticks for which it is solid" : "the ticks for which it is open then";
   }
   return {};
 }
 
-std::optional<std::uint8_t> readNumber(const LevelLine& line, const LevelToken& token, ElementKind kind,
-                                       std::uint32_t edges, Diagnostics& diagnostics) {
-  const std::uint32_t last = numbersAfter(kind, edges) - 1;
+std::optional<std::uint16_t> readNumber(const LevelLine& line, const LevelToken& token, std::string_view meaning,
+                                        NumberRange range, Diagnostics& diagnostics) {
   LevelNumber number;
-  const bool isNumber = parseNumber(token.text, last, number) == NumberFault::kNone;
-  if (isNumber && number.tenThousandths >= 0 && token.text.find('.') == std::string_view::npos)
-    return static_cast<std::uint8_t>(number.whole());
-  diagnostics.error({line.number, token.column}, std::string(meaningOf(kind)) +
-                                                     " must be a whole number between 0 and " + std::to_string(last) +
-                                                     ", not " + quoted(token.text));
+  const bool isNumber = parseNumber(token.text, range.last, number) == NumberFault::kNone;
+  if (isNumber && number.whole() >= range.first && number.tenThousandths >= 0 &&
+      token.text.find('.') == std::string_view::npos)
+    return static_cast<std::uint16_t>(number.whole());
+  diagnostics.error({line.number, token.column}, std::string(meaning) + " must be a whole number between " +
+                                                     std::to_string(range.first) + " and " +
+                                                     std::to_string(range.last) + ", not " + quoted(token.text));
   return std::nullopt;
+}
+
+std::string textOf(std::span<const LevelToken> words) {
+  std::string text;
+  for (const LevelToken& word : words) text += (text.empty() ? "" : " ") + std::string(word.text);
+  return text;
 }
 
 }  // namespace
@@ -79,22 +88,24 @@ std::optional<ElementWord> readElementWord(const LevelLine& line, std::span<cons
                       "unknown word " + quoted(words[0].text) + ": " + hintFor(words[0].text));
     return std::nullopt;
   }
-  const std::size_t wanted = hasNumber(*kind) ? 2 : 1;
+  const std::size_t wanted = 1 + numbersOf(*kind);
   if (words.size() < wanted) {
-    diagnostics.error({line.number, line.end},
-                      "missing number after '" + std::string(wordOf(*kind)) + "': " + std::string(meaningOf(*kind)));
+    diagnostics.error({line.number, line.end}, "missing number after " + quoted(textOf(words)) + ": " +
+                                                   std::string(meaningOf(*kind, words.size() - 1)));
     return std::nullopt;
   }
   if (words.size() > wanted) {
-    diagnostics.error({line.number, words[wanted].column},
-                      "unexpected " + quoted(words[wanted].text) + " after " +
-                          quoted(std::string(wordOf(*kind)) + (wanted == 2 ? " " + std::string(words[1].text) : "")) +
-                          ": remove it");
+    diagnostics.error({line.number, words[wanted].column}, "unexpected " + quoted(words[wanted].text) + " after " +
+                                                               quoted(textOf(words.first(wanted))) + ": remove it");
     return std::nullopt;
   }
-  if (wanted == 1) return ElementWord{*kind, 0};
-  const auto number = readNumber(line, words[1], *kind, edges, diagnostics);
-  return number ? std::optional(ElementWord{*kind, *number}) : std::nullopt;
+  std::array<std::uint16_t, 2> numbers{};
+  for (std::size_t i = 0; i + 1 < wanted; ++i) {
+    const auto number = readNumber(line, words[i + 1], meaningOf(*kind, i), rangeOf(*kind, edges), diagnostics);
+    if (!number) return std::nullopt;
+    numbers[i] = *number;
+  }
+  return ElementWord{*kind, numbers[0], numbers[1]};
 }
 
 }  // namespace platon

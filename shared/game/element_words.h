@@ -10,7 +10,7 @@
 
 namespace platon {
 
-/// Reads what follows the four numbers of a segment: a word, and a number after `up`, `key`, `door` and `plate`.
+/// Reads what follows the four numbers of a segment: a word, and its numbers.
 /// `words` is not empty; `edges` is the number of edges of a face. Reports every error and returns nothing then.
 std::optional<ElementWord> readElementWord(const LevelLine& line, std::span<const LevelToken> words,
                                            std::uint32_t edges, Diagnostics& diagnostics);

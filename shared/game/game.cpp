@@ -26,7 +26,7 @@ void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
   touched_.keys = touched_.plates = 0;
   touched_.atHazard.clear();
   {
-    const GameRules rules(*level_, world_, players_, unitNormals_, touched_, openDoors());
+    const GameRules rules(*level_, world_, players_, unitNormals_, touched_, open());
     addAndRemovePlayers(inputs);
     for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
       if (players_[slot].present != 0) steer(slot, inputs[slot]);

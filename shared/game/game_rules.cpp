@@ -14,7 +14,7 @@ bool isAtEnd(const Contact& contact) {
 }  // namespace
 
 GameRules::GameRules(const Level& level, World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals,
-                     TouchedElements& touched, std::uint32_t open)
+                     TouchedElements& touched, OpenElements open)
     : ElementRules(level, open), world_(world), players_(players), unitNormals_(unitNormals), touched_(touched) {
   world_.setRules(*this);
 }
@@ -37,6 +37,7 @@ void GameRules::touch(const Entity& entity, const SegmentRef& segment) {
     case ElementKind::kHazard:
     case ElementKind::kDoor:
     case ElementKind::kPlate:
+    case ElementKind::kTimed:
       return;
   }
 }
@@ -67,6 +68,7 @@ void GameRules::standOrHurt(const Entity& entity, const Contact& contact, Point 
     case ElementKind::kCheckpoint:
     case ElementKind::kKey:
     case ElementKind::kDoor:
+    case ElementKind::kTimed:
       return;
   }
 }

@@ -15,10 +15,10 @@ namespace platon {
 /// players touch.
 class GameRules : public ElementRules {
  public:
-  /// `open` has the bits of the doors that are open in this tick; what is touched is added to `touched`. All references
-  /// must outlive the object, which is the rules of `world` as long as it exists.
+  /// What is touched is added to `touched`. All references must outlive the object, which is the rules of `world` as
+  /// long as it exists.
   GameRules(const Level& level, World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals,
-            TouchedElements& touched, std::uint32_t open);
+            TouchedElements& touched, OpenElements open);
   GameRules(const GameRules&) = delete;
   GameRules& operator=(const GameRules&) = delete;
   ~GameRules() override { world_.resetRules(); }

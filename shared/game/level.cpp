@@ -103,6 +103,7 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   level->elements = std::move(draft.elements);
   for (const Element& element : level->elements) {
     if (opensDoors(element.kind)) level->doorNumbers |= element.bit();
+    level->isTimed = level->isTimed || element.kind == ElementKind::kTimed;
   }
   level->players = draft.players.value_or(1);
   level->crossings = draft.crossings;

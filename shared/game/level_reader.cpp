@@ -419,7 +419,7 @@ void LevelReader::addElement(const LevelLine& line, const Segment& segment) {
     diagnostics_.error(at, "more than " + std::to_string(LevelDraft::kMaxElements) + " lines with a word: remove some");
   if (draft_.elements.size() >= LevelDraft::kMaxElements) return;
   const auto face = static_cast<std::size_t>(line.face);
-  draft_.elements.push_back({word->kind, word->number, static_cast<std::uint32_t>(face),
+  draft_.elements.push_back({word->kind, word->number, word->openTicks, static_cast<std::uint32_t>(face),
                              static_cast<std::uint32_t>(draft_.segments[face].size()), segment});
 }
 

@@ -1,6 +1,7 @@
 #include "platon/game/recorded_run.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace platon {
 namespace {
@@ -23,6 +24,17 @@ std::uint16_t placeOf(std::uint16_t id, const EntityState& entity, std::span<con
   return static_cast<std::uint16_t>(found - further.begin() + 1);
 }
 
+// The level with timed segments that are always solid, or never.
+std::shared_ptr<const Level> withTimed(const Level& level, std::uint16_t solid) {
+  auto changed = std::make_shared<Level>(level);
+  for (Element& element : changed->elements) {
+    if (element.kind != ElementKind::kTimed) continue;
+    element.number = solid;
+    element.openTicks = static_cast<std::uint16_t>(1 - solid);
+  }
+  return changed;
+}
+
 }  // namespace
 
 // Without the names and counts that an entity keeps when it returns to the start: instances are named by their places.
@@ -38,7 +50,23 @@ LevelRest::Stay LevelRest::stayOf(const Game& game, std::uint32_t slot) {
   return stay;
 }
 
+// A player that goes through the same whether all timed segments are solid or none meets none of them, whenever it
+// comes.
 LevelRest::LevelRest(const std::shared_ptr<const Level>& level) {
+  if (!level->isTimed) {
+    play(level);
+    return;
+  }
+  play(withTimed(*level, 0));
+  const std::vector<Stay> withoutTimed = std::exchange(stays_, {});
+  opened_.clear();
+  play(withTimed(*level, 1));
+  if (stays_ == withoutTimed) return;
+  stays_.clear();
+  opened_.clear();
+}
+
+void LevelRest::play(const std::shared_ptr<const Level>& level) {
   const Input rest{Input::kPresent};
   Game game(level);
   while (stays_.size() < kMaxTicks) {

@@ -16,7 +16,7 @@ constexpr std::size_t kMaxEdits = 24;
 constexpr std::string_view kText =
     "TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 -69.2\n-20 -30 20 -20\n-60 -69.2 -30 -69.2 plate 1\n"
     "-60 -20 -30 -20 oneway\n40 -69.2 40 -40 door 1\n%\n-30 0 30 10\n0 -60 0 -40 checkpoint\n20 -50 30 -50 key 2\n"
-    "%\n-40 -30 40 -30 up 1\n-50 -60 50 -60 hazard\n%\n0 60 0 60\n0 -60 0 60 door 2\n";
+    "%\n-40 -30 40 -30 up 1\n-50 -60 50 -60 hazard\n%\n0 60 0 60\n0 -60 0 60 door 2\n-50 -40 50 -40 timed 2 3\n";
 
 constexpr bool hasWord(ElementKind kind) {
   for (std::size_t at = kText.find(wordOf(kind)); at != kText.npos; at = kText.find(wordOf(kind), at + 1)) {

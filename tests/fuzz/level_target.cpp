@@ -107,7 +107,7 @@ std::string playFault(const std::shared_ptr<const Level>& level) {
   step_check::StepChecker checker({level->world.geometry(), shape, level->solid, level->faceSize, {}, level->elements});
   const std::vector<Input> inputs{{Input::kPresent | Input::kRight}, {Input::kPresent | Input::kLeft | Input::kJump}};
   for (int tick = 0; tick < kTicks; ++tick) {
-    const std::uint32_t open = game.openDoors();
+    const OpenElements open = game.open();
     game.advance(inputs, &checker);
     if (std::string fault = checker.finishTick(open); !fault.empty()) return fault;
   }

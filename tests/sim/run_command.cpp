@@ -79,9 +79,9 @@ struct Run {
 Summary play(const Run& run, const std::function<std::span<const Input>()>& nextInputs) {
   Game game(run.level);
   std::span<const Input> inputs;
-  std::uint32_t open = 0;
+  OpenElements open;
   const auto tick = [&] {
-    open = game.openDoors();
+    open = game.open();
     game.advance(inputs = nextInputs(), run.trace);
   };
   const auto ticked = [&](std::uint64_t number) {
@@ -112,18 +112,21 @@ Summary playChurn(const Run& run) {
   return play(run, [&] { return std::span(churn.next()); });
 }
 
-// Runs the physics without the game rules. Calls `setVelocity` for every entity before each tick.
-Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::function<void(Entity&)>& setVelocity) {
+// Runs the physics without the game rules. Calls `setVelocity` for every entity before each tick, and `solve` with the
+// number of ticks before it.
+Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::function<void(Entity&)>& setVelocity,
+             const std::function<void(std::uint32_t)>& solve) {
   const auto count = static_cast<std::uint32_t>(world.entities().size());
+  std::uint32_t before = 0;
   const auto tick = [&] {
     for (std::uint32_t i = 0; i < count; ++i) {
       Entity entity(world, i);
       setVelocity(entity);
     }
-    world.solve(trace);
+    solve(before++);
   };
   const auto ticked = [&](std::uint64_t number) {
-    if (trace != nullptr) trace->tick(number, world.hash());
+    if (trace != nullptr) trace->tick(number, world.hash(), {0, static_cast<std::uint32_t>(number - 1)});
   };
   Summary summary = drive(ticks, count, tick, ticked);
   summary.hash = world.hash();
@@ -134,13 +137,16 @@ Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::fu
 // Elements block as in a game, but nothing happens to who touches them. All doors are closed.
 Summary runWithoutRules(const Run& run, const std::function<void(Entity&)>& setVelocity) {
   World world = run.level->world;
-  ElementRules rules(*run.level, 0);
-  world.setRules(rules);
+  ElementRules first(*run.level, {});
+  world.setRules(first);
   for (std::uint32_t slot = 0; slot < run.players; ++slot) {
     Entity entity(world, playerShape());
     MapPart(world, run.level->startFace).insert(entity, run.level->start, run.level->startAngle);
   }
-  return move(world, run.ticks, run.trace, setVelocity);
+  return move(world, run.ticks, run.trace, setVelocity, [&](std::uint32_t tick) {
+    ElementRules rules(*run.level, {0, tick});
+    world.solve(rules, run.trace);
+  });
 }
 
 Point velocityOption(const Options& options) {
@@ -216,9 +222,11 @@ int worldCommand(const std::vector<std::string>& arguments) {
   Scene scene = loadScene(path, readText(path));
   if (trace) trace->header(scene.world, scene.shape, nullptr);
   SeededRandom random(options.seed());
-  const Summary summary = move(scene.world, ticks, trace.get(), [&](Entity& entity) {
+  const auto setVelocity = [&](Entity& entity) {
     entity.setVelocity(options.has("max-speed") ? random.vector(maxSpeed) : scene.velocity);
-  });
+  };
+  const Summary summary =
+      move(scene.world, ticks, trace.get(), setVelocity, [&](std::uint32_t) { scene.world.solve(trace.get()); });
   if (trace) trace->close();
   const char* layout = options.has("json") ? "{\"scene\":%s,\"entities\":%zu,\"ticks\":%lld,\"hash\":\"%016llx\","
                                              "\"nsPerEntityTick\":%.1f}\n"

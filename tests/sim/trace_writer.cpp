@@ -72,9 +72,13 @@ void TraceWriter::put(const Element& element) {
   put(",\"word\":\"");
   put(wordOf(element.kind));
   put("\"");
-  if (hasNumber(element.kind)) {
+  if (numbersOf(element.kind) > 0) {
     put(",\"k\":");
     put(std::int64_t{element.number});
+  }
+  if (numbersOf(element.kind) > 1) {
+    put(",\"k2\":");
+    put(std::int64_t{element.openTicks});
   }
   put("}");
 }
@@ -157,18 +161,18 @@ void TraceWriter::leg(std::uint32_t entity, std::span<const InstanceView> instan
   line_.swap(legs);
 }
 
-void TraceWriter::putOpen(std::uint32_t open) {
+void TraceWriter::putOpen(OpenElements open) {
   put("[");
   const char* separator = "";
   for (std::size_t id = 0; id < elements_.size(); ++id) {
-    if (elements_[id].kind != ElementKind::kDoor || (open & elements_[id].bit()) == 0) continue;
+    if (!open.has(elements_[id])) continue;
     put(std::exchange(separator, ","));
     put(static_cast<std::int64_t>(id));
   }
   put("]");
 }
 
-void TraceWriter::tick(std::uint64_t number, std::uint64_t hash, std::uint32_t open) {
+void TraceWriter::tick(std::uint64_t number, std::uint64_t hash, OpenElements open) {
   put("{\"tick\":");
   put(static_cast<std::int64_t>(number));
   put(",\"hash\":\"");

@@ -18,8 +18,8 @@
 
 namespace platon::sim {
 
-/// Writes a trace as JSON lines: first all static geometry with the elements, then one line per tick with the open
-/// doors and the legs of every entity.
+/// Writes a trace as JSON lines: first all static geometry with the elements, then one line per tick with what is
+/// open and the legs of every entity.
 class TraceWriter : public StepObserver {
  public:
   /// Throws UsageError when `path` cannot be written.
@@ -28,9 +28,9 @@ class TraceWriter : public StepObserver {
   /// Writes the header line. `level` is null for a scene.
   void header(const World& world, const Convex& shape, const Level* level);
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Writes the line of tick `number`, with all legs since the last call. `open`: the bits of the doors that were open
-  /// during the tick, as Game::openDoors returned before it.
-  void tick(std::uint64_t number, std::uint64_t hash, std::uint32_t open = 0);
+  /// Writes the line of tick `number`, with all legs since the last call. `open`: what was open during the tick, as
+  /// Game::open returned before it.
+  void tick(std::uint64_t number, std::uint64_t hash, OpenElements open = {});
   /// Flushes the file; must be called after the last tick.
   void close() { file_.close(); }
 
@@ -43,7 +43,7 @@ class TraceWriter : public StepObserver {
   void put(const Element& element);
   void putShape(const Convex& shape);
   void putFace(const MapGeometry& part, const std::vector<Point>& polygon);
-  void putOpen(std::uint32_t open);
+  void putOpen(OpenElements open);
   const std::string& rotatedShape(Angle angle);
   void flushLine();
 

@@ -90,8 +90,8 @@ TEST_F(TraceWriterTest, WritesElementsAndOpenDoors) {
     TraceWriter trace(path_);
     trace.header(level->world, playerShape(), level.get());
     trace.tick(1, 0);
-    trace.tick(2, 0, 1U << 3);
-    trace.tick(3, 0, 1U << 3 | 1U << 4);
+    trace.tick(2, 0, {1U << 3});
+    trace.tick(3, 0, {1U << 3 | 1U << 4});
   }
   const std::string text = readText(path_);
   EXPECT_THAT(text, HasSubstr("\"lines\":[[-92160,-51200,92160,-51200],"));

@@ -63,7 +63,7 @@ class Generator {
   int coordinate(int reach) { return below(2 * reach + 1) - reach; }
 
   std::string word() {
-    switch (below(10)) {
+    switch (below(11)) {
       case 0:
         return "up " + std::to_string(below(solid_.edges));
       case 1:
@@ -79,6 +79,8 @@ class Generator {
       case 7:
       case 8:
         return "oneway";
+      case 9:
+        return "timed " + std::to_string(1 + below(40)) + " " + std::to_string(1 + below(40));
       default:
         return {};
     }

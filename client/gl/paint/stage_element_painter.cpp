@@ -50,6 +50,7 @@ std::optional<ShownNumber> shownNumberOf(const ElementDrawing& drawing, bool act
     case ElementKind::kUp:
     case ElementKind::kHazard:
     case ElementKind::kCheckpoint:
+    case ElementKind::kTimed:
       return std::nullopt;
   }
   return std::nullopt;
@@ -76,7 +77,7 @@ StageElementPainter::StageElementPainter()
 
 void StageElementPainter::draw(const Scene& scene, const FaceView& view, bool raised, TextPainter& text) {
   if (scene.elements.active.empty()) return;
-  if (stage_.lock() != scene.stage || active_ != scene.elements.active) load(scene);
+  if (stage_.lock() != scene.stage || active_ != scene.elements.active || clocks_ != scene.elements.clocks) load(scene);
   const Part& part = parts_[static_cast<std::size_t>(view.face)];
   if (part.count == 0) return;
   const glm::vec2 up = scene.elements.ups[static_cast<std::size_t>(view.face)];
@@ -98,13 +99,16 @@ void StageElementPainter::draw(const Scene& scene, const FaceView& view, bool ra
 void StageElementPainter::load(const Scene& scene) {
   stage_ = scene.stage;
   active_ = scene.elements.active;
+  clocks_ = scene.elements.clocks;
   parts_.clear();
   std::vector<Instance> instances;
   for (const FaceDrawing& face : scene.stage->faces) {
     parts_.push_back({static_cast<GLsizei>(instances.size()), static_cast<GLsizei>(face.elements.size())});
     for (const ElementDrawing& drawing : face.elements) {
       const float active = active_[drawing.element] != 0 ? 1.0F : 0.0F;
-      instances.push_back({drawing.ends, drawing.towards, static_cast<float>(drawing.kind), active});
+      const glm::vec2 look =
+          drawing.kind == ElementKind::kTimed ? glm::vec2(clocks_[drawing.element], 0) : drawing.towards;
+      instances.push_back({drawing.ends, look, static_cast<float>(drawing.kind), active});
     }
   }
   glBindBuffer(GL_ARRAY_BUFFER, instances_.name());

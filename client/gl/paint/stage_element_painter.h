@@ -24,7 +24,9 @@ std::string elementKindsOfShader();
 ///   key         dots, and a key with its number; nothing once it is taken
 ///   door        two rails and its number; only their ends while it is open
 ///   plate       a wall with a bar on its left side, which is low while it is pressed, and its number
-/// Flags, keys and numbers stand upright for the local player.
+///   timed       a fence of posts, low while it is open, and a clock that empties while it is solid and fills while it
+///               is open
+/// Flags, keys, clocks and numbers stand upright for the local player.
 class StageElementPainter {
  public:
   StageElementPainter();
@@ -37,7 +39,7 @@ class StageElementPainter {
   // An element for the shader.
   struct Instance {
     Ribbon ends;
-    glm::vec2 towards{0};
+    glm::vec2 look{0};  // towards its edge (of up), or how full its clock is and 0 (of timed)
     float kind = 0;
     float active = 0;
   };
@@ -51,6 +53,7 @@ class StageElementPainter {
 
   std::weak_ptr<const StageModel> stage_;  // that is loaded
   std::vector<std::uint8_t> active_;       // ElementStates::active that is loaded
+  std::vector<float> clocks_;              // ElementStates::clocks that is loaded
   std::vector<Part> parts_;                // by face: its part of instances_
   ShaderProgram program_;
   GlVertexArray array_;

@@ -16,6 +16,7 @@ const vec3 kRed = vec3(1.0, 0.38, 0.27);
 const vec3 kTeal = vec3(0.36, 0.92, 0.86);
 const vec3 kGold = vec3(1.0, 0.80, 0.36);
 const vec3 kViolet = vec3(0.80, 0.58, 1.0);
+const vec3 kGreen = vec3(0.62, 0.96, 0.66);
 const vec3 kDark = vec3(0.03, 0.03, 0.06);
 
 // What follows are signed distances in widths; `thick` is half a thickness.
@@ -136,6 +137,21 @@ void plate() {
   paint(badge, kDark, 0.82);
 }
 
+// The hand goes round once in each state. What it has left behind is empty while the segment is solid, and full while it
+// is open.
+void timed(vec2 p) {
+  float badge = length(p) - 4.2;
+  float turn = atan(p.x, p.y) / 6.2831853;
+  turn += turn < 0.0 ? 1.0 : 0.0;
+  float full = towards.x;
+  float hand = 1.0 - full;
+  float within = state > 0.5 ? step(hand, turn) : step(turn, full);
+  paint(dashes(2.0, 0.4, 0.3), kGreen, 0.45 * (1.0 - state));
+  paint(badge, kDark, mix(0.6, 0.9, state));
+  paint(length(p) - 3.2, kGreen, within * mix(0.45, 1.0, state));
+  paint(abs(badge) - max(0.35, 0.8 * pixel), kGreen, 1.0);
+}
+
 void main() {
   pixel = max(fwidth(at.y), 1e-4);
   vec2 fromMiddle = (at.x - extent / 2.0) * direction + at.y * vec2(-direction.y, direction.x);
@@ -148,6 +164,7 @@ void main() {
     case kind_key: key(p); break;
     case kind_door: door(p); break;
     case kind_plate: plate(); break;
+    case kind_timed: timed(p); break;
   }
   result = vec4(ink.rgb * lit, ink.a * inFace());
 }

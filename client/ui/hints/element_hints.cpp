@@ -34,6 +34,8 @@ std::string_view hintOf(ElementKind kind) {
       return {};
     case ElementKind::kPlate:
       return "While somebody stands on a plate, the doors with its number are open";
+    case ElementKind::kTimed:
+      return "A fence is solid until its clock is empty, and open until it is full again";
   }
   return {};
 }

@@ -65,7 +65,7 @@ TEST(EditorPanelTest, WarningsAreShownUpToALimit) {
 // Before, only spaces stood between the keys.
 TEST(EditorPanelTest, WhatStandsOnALineIsSeparated) {
   EditorStatus status = statusOf(LevelReport::Way::kSearching);
-  status.word = {ElementKind::kDoor, 4};
+  status.word = {ElementKind::kDoor, {4}};
   status.playing = true;
   EXPECT_TRUE(shows(status, "door 4 · grid "));
   EXPECT_TRUE(shows(status, "Playing · R: try again from here · Esc: back to editing"));
@@ -95,8 +95,8 @@ TEST(EditorPanelTest, TheSelectedToolStandsOutFromItsPanel) {
 
 TEST(EditorPanelTest, AWordIsNamedWithItsNumber) {
   EXPECT_EQ(nameOf(SegmentWord{}), "segment");
-  EXPECT_EQ(nameOf(SegmentWord{ElementKind::kOneway, 4}), "oneway");
-  EXPECT_EQ(nameOf(SegmentWord{ElementKind::kDoor, 4}), "door 4");
+  EXPECT_EQ(nameOf(SegmentWord{ElementKind::kOneway, {4}}), "oneway");
+  EXPECT_EQ(nameOf(SegmentWord{ElementKind::kDoor, {4}}), "door 4");
 }
 
 TEST(EditorPanelTest, EverythingIsOnTheScreen) {

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/client/editor/test_editor.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::editor_tools_test {
 namespace {
@@ -125,44 +126,53 @@ TEST(EditorToolsTest, DigitsSetTheNumberOfTheSelectedSegment) {
   TestEditor editor("-50 10 50 10 door 3\n");
   editor.click({0, {0, 10}});
   editor.key(Key::kDigit1);
-  EXPECT_EQ(editor.all()[1].word.number, 1) << "a number of its own";
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 1) << "a number of its own";
   editor.key(Key::kDigit2);
-  EXPECT_EQ(editor.all()[1].word.number, 12);
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 12);
   editor.key(Key::kDigit7);
-  EXPECT_EQ(editor.all()[1].word.number, 7);
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 7);
   editor.key(Key::kDigit8);
-  EXPECT_EQ(editor.all()[1].word.number, 8) << "there is no door 78";
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 8) << "there is no door 78";
   editor.click({0, {0, 10}});
   editor.key(Key::kDigit2);
   editor.click({0, {0, 10}});
   editor.key(Key::kDigit1);
-  EXPECT_EQ(editor.all()[1].word.number, 1) << "not 21: a click ends the number";
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 1) << "not 21: a click ends the number";
 }
 
 TEST(EditorToolsTest, AnUpHasTheNumberOfAnEdge) {
   TestEditor editor("-50 10 50 10 up 0\n");
   editor.click({0, {0, 10}});
   editor.key(Key::kDigit2);
-  EXPECT_EQ(editor.all()[1].word.number, 2);
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 2);
   editor.key(Key::kDigit7);
-  EXPECT_EQ(editor.all()[1].word.number, 3);
+  EXPECT_EQ(editor.all()[1].word.numbers[0], 3);
   EXPECT_TRUE(editor.level().document().valid());
 }
 
 constexpr int kEdges = 4;  // of a face of the cube
 
-// The kinds with a number, each with its largest one: "up 3" …
+// The kinds with numbers, each with its largest ones: "up 3" …
 std::vector<ElementWord> largestNumbers() {
   std::vector<ElementWord> words;
-  for (const ElementKind kind : kElementKinds)
-    if (hasNumber(kind)) words.push_back({kind, static_cast<std::uint8_t>(numbersAfter(kind, kEdges) - 1)});
+  for (const ElementKind kind : kElementKinds) {
+    const auto last = static_cast<std::uint16_t>(rangeOf(kind, kEdges).last);
+    if (numbersOf(kind) > 0) words.push_back({kind, last, numbersOf(kind) > 1 ? last : std::uint16_t{0}});
+  }
   return words;
+}
+
+void typeNumbers(TestEditor& editor, const ElementWord& word) {
+  for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
+  if (numbersOf(word.kind) < 2) return;
+  editor.key(Key::kComma);
+  for (const char digit : std::to_string(word.openTicks)) editor.key(keyOf(digit));
 }
 
 // Chooses the word of the next segment.
 void choose(TestEditor& editor, const ElementWord& word) {
   while (editor.status().word.kind != word.kind) editor.key(Key::kX);
-  for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
+  typeNumbers(editor, word);
 }
 
 // Draws a segment with each word that follows this one, and without a word.
@@ -170,7 +180,7 @@ void expectValidAfter(const ElementWord& word, bool back) {
   TestEditor editor;
   editor.key(Key::kD);
   choose(editor, word);
-  ASSERT_EQ(editor.status().word, (SegmentWord{word.kind, word.number}));
+  ASSERT_EQ(editor.status().word, (SegmentWord{word.kind, {word.number, word.openTicks}}));
   for (std::size_t i = 0; i <= kElementKinds.size(); ++i) {
     editor.key(Key::kX, false, back);
     const double height = 20.0 * static_cast<double>(i);
@@ -189,10 +199,10 @@ TEST(EditorToolsTest, AChangeOfTheWordKeepsTheNumberValid) {
 
 TEST(EditorToolsTest, EachNumberThatAWordMayHaveIsTypedAndNoOther) {
   for (const ElementWord& word : largestNumbers()) {
-    TestEditor editor("-50 10 50 10 " + std::string(wordOf(word.kind)) + " 0\n");
+    TestEditor editor("-50 10 50 10 " + sampleWord(word.kind, 0).text() + "\n");
     editor.click({0, {0, 10}});
-    for (const char digit : std::to_string(word.number)) editor.key(keyOf(digit));
-    EXPECT_EQ(editor.all()[1].word.number, word.number) << word.text();
+    typeNumbers(editor, word);
+    EXPECT_EQ(editor.all()[1].word, (SegmentWord{word.kind, {word.number, word.openTicks}})) << word.text();
     for (const char digit : std::string("9876543210123456789")) {
       editor.key(keyOf(digit));
       EXPECT_TRUE(editor.level().document().valid()) << word.text() << ": " << editor.status().error;
@@ -202,19 +212,19 @@ TEST(EditorToolsTest, EachNumberThatAWordMayHaveIsTypedAndNoOther) {
 
 TEST(EditorToolsTest, TheNumberOfTheNextSegmentIsValidOnAnotherSolid) {
   TestEditor editor;
-  choose(editor, {ElementKind::kUp, 3});
-  ASSERT_EQ(editor.status().word.number, 3);
+  choose(editor, {ElementKind::kUp, 3, 0});
+  ASSERT_EQ(editor.status().word.numbers[0], 3);
   editor.reload("TETRAHEDRON\n0 0 -50 0\n0 50 -50\n480\n%\n%\n%\n%\n");
   ASSERT_EQ(editor.scene().stage->mesh.faces(), 4) << editor.status().error;
   EXPECT_EQ(editor.status().word.kind, ElementKind::kUp);
-  EXPECT_LT(editor.status().word.number, 3);
+  EXPECT_LT(editor.status().word.numbers[0], 3);
 }
 
 TEST(EditorToolsTest, FlipAndDelete) {
   TestEditor editor("-50 10 50 10 oneway\n");
   editor.click({0, {0, 10}});
   editor.key(Key::kF);
-  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {50, 10}, {-50, 10}, {ElementKind::kOneway, 0}}));
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {50, 10}, {-50, 10}, {ElementKind::kOneway, {}}}));
   editor.key(Key::kDelete);
   EXPECT_EQ(editor.all().size(), 1U);
 }

@@ -42,8 +42,8 @@ TEST(LevelDocumentTest, SegmentsAreRead) {
   ASSERT_TRUE(document.valid());
   ASSERT_EQ(document.segments().size(), 3U);
   EXPECT_EQ(document.segments()[0], (EditedSegment{0, {-240, -200}, {240, -200}, {}}));
-  EXPECT_EQ(document.segments()[1], (EditedSegment{0, {10, 20}, {30, 40}, {ElementKind::kDoor, 3}}));
-  EXPECT_EQ(document.segments()[2], (EditedSegment{2, {5, 6}, {7, 8}, {ElementKind::kOneway, 0}}));
+  EXPECT_EQ(document.segments()[1], (EditedSegment{0, {10, 20}, {30, 40}, {ElementKind::kDoor, {3}}}));
+  EXPECT_EQ(document.segments()[2], (EditedSegment{2, {5, 6}, {7, 8}, {ElementKind::kOneway, {0}}}));
   EXPECT_EQ(document.textLineOf(1), 12);
 }
 
@@ -72,7 +72,7 @@ TEST(LevelDocumentTest, TheReaderOfLevelsAgrees) {
 
 TEST(LevelDocumentTest, AnAddedSegmentComesAfterTheLastOneOfItsFace) {
   LevelDocument document(kText);
-  document.add({0, {1, 2.5}, {-3, 4.12345}, {ElementKind::kKey, 7}});
+  document.add({0, {1, 2.5}, {-3, 4.12345}, {ElementKind::kKey, {7}}});
   EXPECT_EQ(document.text(), replaced(kText, "door 3\n", "door 3\n1 2.5 -3 4.1235 key 7\n"));
   document = LevelDocument(kText);
   document.add({5, {1, 2}, {3, 4}, {}});
@@ -89,7 +89,7 @@ TEST(LevelDocumentTest, ATextWithoutALastLineEndGetsOne) {
 
 TEST(LevelDocumentTest, AReplacedSegmentKeepsItsCommentAndTheFormatOfEqualNumbers) {
   LevelDocument document(kText);
-  document.replace(0, {0, {-240, -150}, {240, -200}, {ElementKind::kOneway, 0}});
+  document.replace(0, {0, {-240, -150}, {240, -200}, {ElementKind::kOneway, {0}}});
   EXPECT_EQ(document.text(),
             replaced(kText, "  -240.0 -200 240 -200   # floor", "  -240.0 -150 240 -200 oneway   # floor"));
   document = LevelDocument(kText);

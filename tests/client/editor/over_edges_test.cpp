@@ -28,9 +28,10 @@ TEST(OverEdgesTest, ASegmentWithinItsFaceIsOnePiece) {
 
 // Face 1 lies behind edge 1 of face 0, and an edge of a square is reached exactly.
 TEST(OverEdgesTest, ASegmentOverAnEdgeIsWrittenOnBothFaces) {
-  const std::vector<EditedSegment> pieces = splitOverEdges(cube(), {0, {100, 30}, {300, 30}, {ElementKind::kDoor, 4}});
+  const std::vector<EditedSegment> pieces =
+      splitOverEdges(cube(), {0, {100, 30}, {300, 30}, {ElementKind::kDoor, {4}}});
   ASSERT_EQ(pieces.size(), 2U);
-  EXPECT_EQ(pieces[0], (EditedSegment{0, {100, 30}, {240, 30}, {ElementKind::kDoor, 4}}));
+  EXPECT_EQ(pieces[0], (EditedSegment{0, {100, 30}, {240, 30}, {ElementKind::kDoor, {4}}}));
   EXPECT_EQ(pieces[1].face, 1);
   EXPECT_LT(glm::distance(pieces[1].a, {-240, 30}), 1e-9);
   EXPECT_LT(glm::distance(pieces[1].b, {-180, 30}), 1e-9);
@@ -81,9 +82,9 @@ TEST(OverEdgesTest, AnUpKeepsPointingTheSameWay) {
   const int behind = cube().solid().neighbour(0, 1).edge;
   for (int up = 0; up < 4; ++up) {
     const std::vector<EditedSegment> pieces =
-        splitOverEdges(cube(), {0, normal * 200.0, normal * 280.0, {ElementKind::kUp, up}});
+        splitOverEdges(cube(), {0, normal * 200.0, normal * 280.0, {ElementKind::kUp, {up}}});
     ASSERT_EQ(pieces.size(), 2U);
-    EXPECT_EQ(pieces[1].word.number, (behind + 1 + up) % 4);
+    EXPECT_EQ(pieces[1].word.numbers[0], (behind + 1 + up) % 4);
   }
 }
 

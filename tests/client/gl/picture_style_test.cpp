@@ -107,7 +107,7 @@ TEST_F(PictureStyleTest, ADoorMovesUnlessMotionIsUnwanted) {
   const auto stage = stageOf("HEXAHEDRON", 6, "-120 -60 120 -60 door 5\n");
   const auto shortlyAfter = [&](const PictureStyle& style, double seconds) {
     Scene scene = sceneOf(stage);
-    scene.elements = {{1}, std::vector<glm::vec2>(6, glm::vec2(0, 1))};
+    scene.elements = {{1}, {0}, std::vector<glm::vec2>(6, glm::vec2(0, 1))};
     draw(scene, style);
     scene.elements.active = {0};
     scene.seconds = seconds;

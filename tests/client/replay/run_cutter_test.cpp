@@ -164,6 +164,22 @@ TEST(RunCutter, ARunWithTheHelpOfOthersHasAllPlayers) {
   EXPECT_LE(replay->ticks(), *followed.time + 60);
 }
 
+// Alone from tick 0, it would come to the fence at another time.
+TEST(RunCutter, ARunPastATimedSegmentKeepsTheClockOfTheRound) {
+  FollowedGame followed(cubeLevel("0 0 -180 0", {"-240 -200 240 -200\n60 -200 60 200 timed 50 50"}, "0 150 -190"));
+  followed.hold(130, 0);
+  followed.holdToGoal(200, Input::kRight);
+  expectSameRun(followed);
+  const auto first = replayOf(followed.run->recording);
+  EXPECT_EQ(first->gameAfter(first->ticks()).tick() % 100, followed.game.tick() % 100);
+  followed.hold(37, Input::kLeft);
+  followed.hold(1, Input::kRestart);
+  followed.holdToGoal(200, Input::kRight);
+  expectSameRun(followed);
+  const auto second = replayOf(followed.run->recording);
+  EXPECT_EQ(second->gameAfter(second->ticks()).tick() % 100, followed.game.tick() % 100);
+}
+
 TEST(RunCutter, AGroupRunThatNobodyCouldReadIsNotCut) {
   const auto level = crowdedDoorLevel();
   const auto at = [](std::uint8_t buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; };

@@ -12,6 +12,7 @@
 #include "platon/game/game.h"
 #include "platon/game/level.h"
 #include "tests/client/scene/surface_walk.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::edge_crossing_test {
 namespace {
@@ -48,15 +49,15 @@ TEST(EdgeWay, EveryKindBlocksWhomItsTraitsName) {
     bool blocked = false;
     for (std::uint8_t number = 0; number < 4; ++number) {
       for (const bool active : {true, false})
-        (waysPast(ElementWord{kind, number}.text(), active).up ? free : blocked) = true;
+        (waysPast(sampleWord(kind, number).text(), active).up ? free : blocked) = true;
     }
     EXPECT_EQ(blocked, canBlock(kind) && !isTakenForFree(kind));
     EXPECT_EQ(free, !blocksAlways(kind) || isTakenForFree(kind));
   }
 }
 
-TEST(EdgeWay, AnUpAndADoorBlockWhileTheyAreActive) {
-  for (const char* word : {"up 2", "door 2"}) {
+TEST(EdgeWay, WhatOpensBlocksWhileItIsActive) {
+  for (const char* word : {"up 2", "door 2", "timed 9 9"}) {
     EXPECT_FALSE(waysPast(word, true).up) << word;
     EXPECT_TRUE(waysPast(word, false).up) << word;
   }

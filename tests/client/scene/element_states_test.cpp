@@ -42,7 +42,7 @@ bool passes(const Level& level, Angle up, const Element& element, Angle turn) {
   std::vector<PlayerState> players(1);
   UnitNormals normals;
   TouchedElements touched;
-  const GameRules rules(level, world, players, normals, touched, 0);
+  const GameRules rules(level, world, players, normals, touched, {});
   SegmentRef segment{element.face, element.segment, false, element.ends};
   segment.toHome = Angle() - turn;
   return rules.pierce(entity, segment);
@@ -124,7 +124,7 @@ TEST(ElementStates, EveryOtherKindIsActiveAtTimesAndNotAtOthers) {
   const std::set<ElementKind> constant{ElementKind::kOneway, ElementKind::kHazard};
   Game game = gameOn(
       "-170 -196 -130 -196 plate 3\n-60 -195 -60 -160 key 5\n60 -195 60 -100 door 5\n0 -195 0 -160 checkpoint\n"
-      "0 100 50 100 up 0\n0 110 50 110 up 2\n0 120 50 120 oneway\n0 130 50 130 hazard\n");
+      "0 100 50 100 up 0\n0 110 50 110 up 2\n0 120 50 120 oneway\n0 130 50 130 hazard\n0 140 50 140 timed 20 20\n");
   std::map<ElementKind, std::set<int>> seen;
   for (int tick = 0; tick < 100; ++tick) {
     run(game, 1, tick < 10 ? 0 : Input::kRight);
@@ -134,6 +134,18 @@ TEST(ElementStates, EveryOtherKindIsActiveAtTimesAndNotAtOthers) {
   for (const ElementKind kind : kElementKinds) {
     EXPECT_EQ(seen[kind], constant.contains(kind) ? std::set<int>{1} : (std::set<int>{0, 1}))
         << wordOf(kind) << ": play a level here in which it changes, or add it to those that are constant";
+  }
+}
+
+TEST(ElementStates, TheClockOfATimedSegmentEmptiesAndFills) {
+  Game game = gameOn("0 100 50 100 timed 4 2\n0 50 50 50 hazard\n");
+  const std::vector<float> clocks{1.0F, 0.75F, 0.5F, 0.25F, 0.0F, 0.5F};
+  for (std::size_t tick = 0; tick < 18; ++tick) {
+    const ElementStates states = statesOf(game);
+    EXPECT_EQ(states.active[0], tick % 6 < 4 ? 1 : 0) << tick;
+    EXPECT_EQ(states.clocks[0], clocks[tick % 6]) << tick;
+    EXPECT_EQ(states.clocks[1], 0.0F);
+    run(game, 1, 0);
   }
 }
 

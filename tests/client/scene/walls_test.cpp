@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "platon/game/game.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::walls_test {
 namespace {
@@ -88,13 +89,13 @@ TEST(StageWalls, WhatCanBlockIsAWall) {
   for (const ElementKind kind : kElementKinds) {
     bool isWall = false;
     for (std::uint8_t number = 0; number < 4; ++number)
-      isWall = isWall || !wallsOfElement(ElementWord{kind, number}.text()).active.empty();
+      isWall = isWall || !wallsOfElement(sampleWord(kind, number).text()).active.empty();
     EXPECT_EQ(isWall, canBlock(kind)) << "ElementWalls::add in client/scene/walls.cpp, for '" << wordOf(kind) << "'";
   }
 }
 
 TEST(StageWalls, WhatDoesNotBlockIsLow) {
-  for (const char* word : {"up 2", "door 5"}) {
+  for (const char* word : {"up 2", "door 5", "timed 9 9"}) {
     const ElementWalls walls = wallsOfElement(word);
     EXPECT_EQ(highest(walls.active), Wall::kHeight) << word;
     EXPECT_LT(highest(walls.open), Wall::kHeight / 3) << word;
@@ -105,7 +106,7 @@ TEST(StageWalls, WhatDoesNotBlockIsLow) {
 TEST(StageWalls, AnUpThatLetsPassIsNoWall) { EXPECT_TRUE(wallsOfElement("up 2").open.empty()); }
 
 TEST(StageWalls, WhatOpensIsBetweenItsStatesMeanwhile) {
-  for (const char* word : {"up 2", "door 5", "plate 5"}) {
+  for (const char* word : {"up 2", "door 5", "plate 5", "timed 9 9"}) {
     const ElementWalls walls = wallsOfElement(word);
     const auto heightOf = [](const std::vector<Wall>& all) { return all.empty() ? 0 : all.back().height; };
     EXPECT_NEAR(heightOf(walls.between), (heightOf(walls.active) + heightOf(walls.open)) / 2, 1e-9) << word;

@@ -161,7 +161,8 @@ def far(source, solid="HEXAHEDRON", size=65536):
 def any_word(source, solid):
     """The words of an element that can block."""
     return source.choice(("oneway", "oneway", f"up {source.randrange(SIDES[solid])}", "hazard",
-                          f"door {source.randrange(3)}", f"plate {source.randrange(3)}"))
+                          f"door {source.randrange(3)}", f"plate {source.randrange(3)}",
+                          f"timed {source.randrange(1, 90)} {source.randrange(1, 90)}"))
 
 
 def touched_elements(source, reach):

@@ -98,7 +98,7 @@ class FloorGame : public PlayedGame {
         checker_({game.world().geometry(), shape_, floor.kind, kSize, {}, game.level().elements}) {}
 
   void tick(std::uint8_t buttons) {
-    const std::uint32_t open = game.openDoors();
+    const OpenElements open = game.open();
     const Input input{static_cast<std::uint8_t>(buttons | Input::kPresent)};
     game.advance(std::vector<Input>{input}, &checker_);
     ASSERT_EQ(checker_.finishTick(open), "");

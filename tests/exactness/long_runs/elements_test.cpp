@@ -74,7 +74,7 @@ TEST_F(ElementsTest, InvariantsHoldForPlayers) {
     Game game(level);
     sim::Churn churn(seed, kPlayers);
     for (int tick = 0; tick < kTicks; ++tick) {
-      const std::uint32_t open = game.openDoors();
+      const OpenElements open = game.open();
       game.advance(churn.next(), &checker);
       ASSERT_EQ(checker.finishTick(open), "") << "tick " << tick;
     }
@@ -87,7 +87,7 @@ TEST_F(ElementsTest, InvariantsHoldWhileDoorsCloseOnBodies) {
     step_check::StepChecker checker(sceneOf(*level, shape_));
     RandomSource random(seed);
     World world = level->world;
-    std::uint32_t open = 0;
+    OpenElements open;
     for (std::uint32_t i = 0; i < kPlayers; ++i) {
       ElementRules rules(*level, open);
       world.setRules(rules);
@@ -95,7 +95,8 @@ TEST_F(ElementsTest, InvariantsHoldWhileDoorsCloseOnBodies) {
       MapPart(world, level->startFace).insert(entity, level->start, level->startAngle);
     }
     for (int tick = 0; tick < kTicks; ++tick) {
-      if (random.oneIn(3)) open ^= 1U << random.below(3);
+      if (random.oneIn(3)) open.doors ^= 1U << random.below(3);
+      open.tick = static_cast<std::uint32_t>(tick);
       ElementRules rules(*level, open);
       world.setRules(rules);
       for (std::uint32_t i = 0; i < kPlayers; ++i) {
@@ -147,7 +148,7 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
   };
   RandomSource random(properties::firstSeed());
   step_check::StepChecker checker(sceneOf(level, shape_));
-  const auto step = [&](World& world, Point velocity, std::uint32_t open) {
+  const auto step = [&](World& world, Point velocity, OpenElements open) {
     ElementRules rules(level, open);
     world.setRules(rules);
     Entity(world, 0).setVelocity(velocity);
@@ -158,7 +159,7 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
   int crossings = 0;
   for (int round = 0; round < repetitions(5000); ++round) {
     World world = level.world;
-    ElementRules open(level, 1);
+    ElementRules open(level, {1});
     world.setRules(open);
     Entity ball(world, shape_);
     const auto between = [&](std::int64_t low, std::int64_t high) {
@@ -168,8 +169,8 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
     const double aside = between(-9000, 9000);
     MapPart(world, 0).insert(ball, nearest(face.middle(1)) + towards(-far, between(-300, 300) - aside),
                              Angle(static_cast<std::int32_t>(random.between(0, 35999))));
-    ASSERT_EQ(step(world, towards(far - between(0, 3), aside), 1), "");
-    ASSERT_EQ(step(world, towards(between(1, 40), between(-40, 40)), 0), "")
+    ASSERT_EQ(step(world, towards(far - between(0, 3), aside), {1}), "");
+    ASSERT_EQ(step(world, towards(between(1, 40), between(-40, 40)), {}), "")
         << "PLATON_SEED=" << properties::firstSeed() << ", round " << round;
     crossings += ball.part() == 5 ? 1 : 0;
   }

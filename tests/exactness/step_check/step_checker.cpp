@@ -28,8 +28,11 @@ oracle::TraceHeader headerOf(const CheckedScene& scene) {
     header.faces.push_back(std::move(face));
   }
   for (const Element& element : scene.elements) {
-    const std::int64_t number = hasNumber(element.kind) ? element.number : -1;
-    header.elements.push_back({element.face, element.segment, std::string(wordOf(element.kind)), number});
+    const auto numberOf = [&](std::size_t index, std::uint16_t number) -> std::int64_t {
+      return index < numbersOf(element.kind) ? number : -1;
+    };
+    header.elements.push_back({element.face, element.segment, std::string(wordOf(element.kind)),
+                               numberOf(0, element.number), numberOf(1, element.openTicks)});
   }
   return header;
 }
@@ -69,14 +72,13 @@ oracle::TraceInstance StepChecker::converted(const InstanceView& view) const {
   return instance;
 }
 
-std::string StepChecker::finishTick(std::uint32_t open) {
+std::string StepChecker::finishTick(OpenElements open) {
   tallies_.clear();
-  std::vector<std::int64_t> doors;
+  std::vector<std::int64_t> opened;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
-    if (elements_[i].kind == ElementKind::kDoor && (open & elements_[i].bit()) != 0)
-      doors.push_back(static_cast<std::int64_t>(i));
+    if (open.has(elements_[i])) opened.push_back(static_cast<std::int64_t>(i));
   }
-  if (checkers_) checkers_->blocking.setOpen(doors);
+  if (checkers_) checkers_->blocking.setOpen(opened, open.tick);
   for (const auto& [entity, legs] : legs_) {
     report_.setPlayer(entity);
     tallies_[entity] = {legs.size() - 1, legs.back().size()};

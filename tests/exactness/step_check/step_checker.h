@@ -36,9 +36,9 @@ class StepChecker : public StepObserver {
   explicit StepChecker(const CheckedScene& scene);
 
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Checks all legs since the last call. `open`: bits of the doors that were open. Returns the first violation since
-  /// construction; empty if there is none.
-  std::string finishTick(std::uint32_t open = 0);
+  /// Checks all legs since the last call. `open`: what was open. Returns the first violation since construction; empty
+  /// if there is none.
+  std::string finishTick(OpenElements open = {});
   /// Number of elements that entities have passed.
   std::size_t elementsPassed() const { return report_.elementsPassed.size(); }
   /// Moves of the entity in the last checked tick.

@@ -20,6 +20,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/run/repetitions.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::reach_law_test {
 namespace {
@@ -125,8 +126,8 @@ std::vector<Case> wedges() {
   return cases;
 }
 
-const char* kWords[] = {"",     "",      "",      "oneway", "hazard", "checkpoint", "up 0",
-                        "up 1", "key 0", "key 1", "door 0", "door 1", "plate 2",    "door 2"};
+const char* kWords[] = {"",      "",      "",       "oneway", "hazard",  "checkpoint", "up 0",        "up 1",
+                        "key 0", "key 1", "door 0", "door 1", "plate 2", "door 2",     "timed 40 25", "timed 7 90"};
 
 // Lines of all words anywhere on all faces, many short, and a floor under the start.
 std::vector<Case> anything(std::uint64_t count) {
@@ -218,12 +219,12 @@ std::vector<std::string> roomsOf(const std::string& word) {
   return rooms;
 }
 
-// All, but of doors, of which none differs from another: the first and the last.
+// All, but of doors, of which none differs from another, the first and the last, and of timed segments some.
 std::vector<std::uint32_t> numbersToTry(ElementKind kind) {
-  if (!hasNumber(kind)) return {0};
-  const std::uint32_t count = numbersAfter(kind, 4);
-  if (traitsOf(kind).number == ElementNumber::kDoor) return {0, count - 1};
-  std::vector<std::uint32_t> numbers(count);
+  const NumberRange range = rangeOf(kind, 4);
+  if (traitsOf(kind).number == ElementNumber::kDoor) return {range.first, range.last};
+  if (traitsOf(kind).number == ElementNumber::kTicks) return {10, 40, 200};
+  std::vector<std::uint32_t> numbers(range.last + 1);
   std::iota(numbers.begin(), numbers.end(), 0U);
   return numbers;
 }
@@ -241,8 +242,7 @@ TEST(ReachLawCases, EveryRoomIsSolvedWithWhatBlocksNobodyOrEverybody) {
 TEST(ReachLawCases, WhatASearchReachesIsReachableInRoomsOfEveryKind) {
   for (const ElementKind kind : kElementKinds) {
     for (const std::uint32_t number : numbersToTry(kind)) {
-      for (const std::string& room :
-           roomsOf(std::string(wordOf(kind)) + (hasNumber(kind) ? " " + std::to_string(number) : ""))) {
+      for (const std::string& room : roomsOf(sampleWord(kind, static_cast<std::uint16_t>(number)).text())) {
         if (!isSolved(room)) continue;
         EXPECT_TRUE(Reach(*levelOf(room), kMaxCrossings).crossingsToGoal())
             << "a player passes what describe() in levels/reach/reach_walls.cpp takes for a wall:\n"

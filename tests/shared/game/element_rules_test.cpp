@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/shared/game/played_elements.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::element_rules_test {
 namespace {
@@ -115,7 +116,7 @@ bool onewayBlocks(Point centre) {
   game.advance(std::vector<Input>{Input{Input::kPresent}});
   World world = game.world();
   const SegmentRef segment{.part = 0, .index = 0, .ends = {{0, 0}, {100000, 0}}, .position = centre};
-  return !ElementRules(*level, 0).pierce(Entity(world, 0), segment);
+  return !ElementRules(*level, {}).pierce(Entity(world, 0), segment);
 }
 
 TEST(ElementRulesTest, AOnewaySegmentBlocksWhoIsWhollyOnItsLeft) {
@@ -148,7 +149,7 @@ TEST(ElementRulesTest, HalfAnEdgesAngleBelongsToTheEdge) {
   Game game(level);
   game.advance(std::vector<Input>{Input{Input::kPresent}});
   World world = game.world();
-  const ElementRules rules(*level, 0);
+  const ElementRules rules(*level, {});
   for (const auto& [up, edge] : {std::pair(0, 2U), std::pair(4499, 2U), std::pair(4500, 3U), std::pair(9000, 3U),
                                  std::pair(13499, 3U), std::pair(13500, 0U), std::pair(22499, 0U), std::pair(22500, 1U),
                                  std::pair(31499, 1U), std::pair(31500, 2U), std::pair(35999, 2U)}) {
@@ -160,30 +161,32 @@ TEST(ElementRulesTest, HalfAnEdgesAngleBelongsToTheEdge) {
 }
 
 TEST(ElementRulesTest, ALevelWithoutElementsAsksForContactsOnly) {
-  EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat}), 0).scope(), Rules::Scope::kContacts);
-  EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat, "", "0 0 9 9 hazard"}), 0).scope(), Rules::Scope::kSegments);
+  EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat}), {}).scope(), Rules::Scope::kContacts);
+  EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat, "", "0 0 9 9 hazard"}), {}).scope(), Rules::Scope::kSegments);
 }
 
 TEST(ElementRulesTest, OnlyWhatCanLetAPlayerPassIsAskedFor) {
-  const auto level =
-      cubeLevel("0 0 0 0", {"-9 50 9 50 hazard\n-9 60 9 60 plate 1\n-9 70 9 70 oneway\n-9 80 9 80 up 1\n"
-                            "-9 90 9 90 key 1\n-109 100 -91 100 checkpoint\n-9 110 9 110 door 1\n0 150 9 150"});
-  const ElementRules rules(*level, 0);
-  for (std::uint32_t segment = 0; segment < 8; ++segment)
-    EXPECT_EQ(rules.mayPierce(0, segment), segment >= 2 && segment < 7) << segment;
+  const auto level = cubeLevel(
+      "0 0 0 0", {"-9 50 9 50 hazard\n-9 60 9 60 plate 1\n-9 70 9 70 oneway\n-9 80 9 80 up 1\n"
+                  "-9 90 9 90 key 1\n-109 100 -91 100 checkpoint\n-9 110 9 110 door 1\n-9 120 9 120 timed 1 1\n"
+                  "0 150 9 150"});
+  const ElementRules rules(*level, {});
+  for (std::uint32_t segment = 0; segment < 9; ++segment)
+    EXPECT_EQ(rules.mayPierce(0, segment), segment >= 2 && segment < 8) << segment;
   EXPECT_FALSE(rules.mayPierce(1, 3));
 }
 
-// A segment of each kind at y = 50, with the doors open and closed and a player of each up on both of its sides.
+// A segment of each kind at y = 50, with the doors open and closed, at two times, and a player of each up on both of
+// its sides.
 TEST(ElementRulesTest, EveryKindBlocksWhomItsTraitsName) {
   for (const ElementKind kind : kElementKinds) {
-    const std::string word = std::string(wordOf(kind)) + (hasNumber(kind) ? " 2" : "");
+    const std::string word = sampleWord(kind).text();
     const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 " + word});
     Game game(level);
     game.advance(std::vector<Input>{Input{Input::kPresent}});
     World world = game.world();
     std::set<bool> answers;
-    for (const std::uint32_t open : {0U, ~0U}) {
+    for (const OpenElements open : {OpenElements{0, 0}, OpenElements{~0U, 10}}) {
       for (const std::int32_t degrees : {0, 90, 180, 270}) {
         for (const std::int32_t y : {units(20), units(80)}) {
           const SegmentRef segment{
@@ -192,9 +195,10 @@ TEST(ElementRulesTest, EveryKindBlocksWhomItsTraitsName) {
         }
       }
     }
-    SCOPED_TRACE("Rules::pierce for '" + word +
-                 "', with the doors open and closed, the up of the player towards each side, and the player on both "
-                 "sides of the segment; if the kind depends on more, vary it here");
+    SCOPED_TRACE(
+        "Rules::pierce for '" + word +
+        "', with the doors open and closed at two times, the up of the player towards each side, and the player "
+        "on both sides of the segment; if the kind depends on more, vary it here");
     switch (traitsOf(kind).blocking) {
       case ElementBlocking::kNobody:
         EXPECT_EQ(answers, std::set{true});
@@ -215,7 +219,7 @@ TEST(ElementRulesTest, ADoorBlocksUnlessItsNumberIsOpen) {
   World world = game.world();
   const Entity player(world, 0);
   for (const std::uint32_t open : {0U, 1U << 3, 1U << 31, ~0U}) {
-    const ElementRules rules(*level, open);
+    const ElementRules rules(*level, {open});
     const auto pierces = [&](std::uint32_t segment) {
       return rules.pierce(player, SegmentRef{.part = 0, .index = segment, .ends = level->segments[0][segment]});
     };
@@ -223,6 +227,16 @@ TEST(ElementRulesTest, ADoorBlocksUnlessItsNumberIsOpen) {
     EXPECT_EQ(pierces(1), (open >> 31 & 1U) != 0) << open;
     EXPECT_FALSE(pierces(2)) << "no element";
   }
+}
+
+TEST(ElementRulesTest, ATimedSegmentBlocksByTheClockOfTheRound) {
+  const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 timed 3 2"});
+  Game game(level);
+  game.advance(std::vector<Input>{Input{Input::kPresent}});
+  World world = game.world();
+  const SegmentRef segment{.part = 0, .index = 0, .ends = level->segments[0][0]};
+  for (std::uint32_t tick = 0; tick < 20; ++tick)
+    EXPECT_EQ(ElementRules(*level, {~0U, tick}).pierce(Entity(world, 0), segment), tick % 5 >= 3) << tick;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -10,6 +11,7 @@
 
 #include "platon/game/game.h"
 #include "tests/support/files.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::element_test {
 namespace {
@@ -28,7 +30,7 @@ TEST(ElementTest, EveryKindHasAWordOfItsOwn) {
 // A program without the word cannot play a level with it, so the two must not meet.
 TEST(ElementTest, ANewWordRaisesTheRules) {
   const std::map<std::uint32_t, std::string> wordsOfRules{{7, "oneway up hazard checkpoint key door plate "},
-                                                          {8, "oneway up hazard checkpoint key door plate "}};
+                                                          {8, "oneway up hazard checkpoint key door plate timed "}};
   std::string words;
   for (const ElementKind kind : kElementKinds) words += std::string(wordOf(kind)) + " ";
   ASSERT_TRUE(wordsOfRules.contains(kRulesVersion)) << "add the words of rules " << kRulesVersion << ": " << words;
@@ -40,7 +42,8 @@ TEST(ElementTest, TheDocsDescribeEveryWord) {
   const std::string playing = readText("docs/playing.md");
   std::size_t last = 0;
   for (const ElementKind kind : kElementKinds) {
-    const std::string row = "\n| `" + std::string(wordOf(kind)) + (hasNumber(kind) ? " K" : "") + "` | ";
+    constexpr std::array<const char*, 3> kNumbers{"", " K", " A B"};
+    const std::string row = "\n| `" + std::string(wordOf(kind)) + kNumbers.at(numbersOf(kind)) + "` | ";
     const std::size_t drawn = format.find(row);
     ASSERT_NE(drawn, std::string::npos) << wordOf(kind) << " in the pictures of level_format.md";
     const std::size_t described = format.find(row, drawn + 1);
@@ -53,7 +56,7 @@ TEST(ElementTest, TheDocsDescribeEveryWord) {
 TEST(ElementTest, TheDocsTellTheRangeOfEveryNumber) {
   const std::string format = readText("docs/level_format.md");
   for (const ElementKind kind : kElementKinds) {
-    if (!hasNumber(kind)) continue;
+    if (numbersOf(kind) == 0) continue;
     std::size_t row = format.find("\n| number after `");
     const auto names = [&] {
       return format.substr(row, format.find("` | ", row) - row + 1).find("`" + std::string(wordOf(kind)) + "`");
@@ -61,9 +64,11 @@ TEST(ElementTest, TheDocsTellTheRangeOfEveryNumber) {
     while (row != std::string::npos && names() == std::string::npos) row = format.find("\n| number after `", row + 1);
     ASSERT_NE(row, std::string::npos) << "add a row for the number after '" << wordOf(kind)
                                       << "' to docs/level_format.md";
-    const bool isFixed = numbersAfter(kind, 3) == numbersAfter(kind, 5);
-    const std::string range = isFixed ? std::to_string(numbersAfter(kind, 3) - 1) : "number of edges of a face − 1";
-    EXPECT_EQ(format.find("` | 0 … " + range + " |", row), format.find("` | ", row)) << wordOf(kind);
+    const NumberRange range = rangeOf(kind, 3);
+    const bool isFixed = range.last == rangeOf(kind, 5).last;
+    const std::string last = isFixed ? std::to_string(range.last) : "number of edges of a face − 1";
+    EXPECT_EQ(format.find("` | " + std::to_string(range.first) + " … " + last + " |", row), format.find("` | ", row))
+        << wordOf(kind);
   }
 }
 
@@ -74,7 +79,7 @@ TEST(ElementTest, ANeedIsAKeyAPlateOrACheckpoint) {
   for (const char* text : {"key 1", "key  1", "key\t1", "key \t 01"})
     EXPECT_EQ(needOf(text), (ElementWord{ElementKind::kKey, 1})) << text;
   for (const char* text : {"", "key", "key ", "key 32", "key -0", "key 1.0", "key 1 ", "Key 1", "keys 1",
-                           "checkpoint 1", "checkpoint ", "door 1", "up 1", "hazard", "key 1, key 2"})
+                           "checkpoint 1", "checkpoint ", "door 1", "up 1", "hazard", "key 1, key 2", "timed 1 1"})
     EXPECT_EQ(needOf(text), std::nullopt) << text;
   for (const char* text : {"key 7", "plate 31", "checkpoint"}) EXPECT_EQ(needOf(text)->text(), text);
 }
@@ -86,6 +91,35 @@ TEST(ElementTest, AWordIsOfElementsOfItsKindAndNumber) {
   EXPECT_TRUE((ElementWord{ElementKind::kKey, 3}.isOf(element)));
   EXPECT_FALSE((ElementWord{ElementKind::kKey, 2}.isOf(element)));
   EXPECT_FALSE((ElementWord{ElementKind::kPlate, 3}.isOf(element)));
+}
+
+TEST(ElementTest, ATimedSegmentIsSolidFirstAndThenOpen) {
+  const Element timed{.kind = ElementKind::kTimed, .number = 3, .openTicks = 2};
+  const auto expect = [&](std::uint32_t tick, bool isOpen, std::uint32_t left, std::uint32_t ticks) {
+    const TimedPhase phase = phaseOf(timed, tick);
+    EXPECT_EQ(phase.isOpen, isOpen) << tick;
+    EXPECT_EQ(phase.ticksLeft, left) << tick;
+    EXPECT_EQ(phase.ticks, ticks) << tick;
+    EXPECT_EQ((OpenElements{0, tick}.has(timed)), isOpen) << tick;
+  };
+  for (const std::uint32_t turn : {0U, 5U, 859'000U * 5}) {
+    expect(turn, false, 3, 3);
+    expect(turn + 1, false, 2, 3);
+    expect(turn + 2, false, 1, 3);
+    expect(turn + 3, true, 2, 2);
+    expect(turn + 4, true, 1, 2);
+  }
+}
+
+TEST(ElementTest, OnlyDoorsAndTimedSegmentsOpen) {
+  for (const ElementKind kind : kElementKinds) {
+    bool opens = false;
+    for (std::uint32_t tick = 0; tick < 40; ++tick) {
+      const ElementWord word = sampleWord(kind);
+      opens = opens || OpenElements{~0U, tick}.has({.kind = kind, .number = word.number, .openTicks = word.openTicks});
+    }
+    EXPECT_EQ(opens, kind == ElementKind::kDoor || kind == ElementKind::kTimed) << wordOf(kind);
+  }
 }
 
 TEST(ElementTest, OnlyCheckpointsAndKeysNeverBlock) {

@@ -128,9 +128,39 @@ TEST(GameRulesTest, ADoorThatClosesOnAPlayerLetsItOut) {
   EXPECT_EQ(played.position().x, units(60) + kPlayerApothem) << "behind it the door is closed";
 }
 
+TEST(GameRulesTest, ATimedSegmentLetsPassByTheClockOfTheRound) {
+  PlayedGame played = playedOn("60 -200 60 -100 timed 90 60");
+  while (played.game.tick() < 90) played.run(1, Input::kRight);
+  EXPECT_EQ(played.position().x, units(60) - kPlayerApothem);
+  played.run(1, Input::kRight);
+  EXPECT_GT(played.position().x, units(60) - kPlayerApothem);
+  played.run(20, Input::kRight);
+  EXPECT_GT(played.position().x, units(60) + kPlayerApothem);
+}
+
+TEST(GameRulesTest, ATimedSegmentThatClosesOnAPlayerLetsItOut) {
+  PlayedGame played = playedOn("60 -200 60 -100 timed 90 3");
+  while (played.game.tick() < 94) played.run(1, Input::kRight);
+  ASSERT_FALSE(played.game.open().has(played.game.level().elements[0]));
+  ASSERT_LT(std::abs(played.position().x - units(60)), kPlayerApothem) << "the player is in the segment";
+  played.run(30, Input::kRight);
+  EXPECT_GT(played.position().x, units(72));
+  played.run(40, Input::kLeft);
+  EXPECT_EQ(played.position().x, units(60) + kPlayerApothem) << "behind it, it is solid";
+}
+
+TEST(GameRulesTest, ARestartDoesNotSetTheClockBack) {
+  PlayedGame played = playedOn("60 -200 60 -100 timed 90 60");
+  played.run(50, kNone);
+  played.run(1, Input::kRestart);
+  while (played.game.tick() < 90) played.run(1, kNone);
+  EXPECT_TRUE(played.game.open().has(played.game.level().elements[0]));
+}
+
 TEST(GameRulesTest, ElementsAreSavedHashedAndRestored) {
   PlayedGame played = playedOn(
-      "40 -180 40 -160 key 0\n80 -200 80 -100 door 0\n-40 -180 -40 -160 checkpoint\n120 -200 160 -200 plate 2");
+      "40 -180 40 -160 key 0\n80 -200 80 -100 door 0\n-40 -180 -40 -160 checkpoint\n120 -200 160 -200 plate 2\n"
+      "-240 -150 -100 -150 timed 7 5");
   played.hold(1, kNone);
   played.run(15, Input::kLeft);
   while (played.game.openDoors() != 5u && played.game.tick() < 200) played.run(1, Input::kRight);

@@ -36,10 +36,10 @@ constexpr std::array<std::string_view, 5> kSeeds = {
     "1\n0 "
     "-70 90 -70\n%\n-20 0 20 0 checkpoint\n-90 -40 90 -40 hazard\n%\n-40 0 -40 40 key 1\n40 0 40 40 door 1\n%\n-99 9 "
     "99 9 "
-    "up 2\n"};
+    "up 2\n-50 -30 50 -30 timed 20 30\n"};
 
 // What the mutator puts into a level.
-constexpr std::array<std::string_view, 32> kPieces = {"%",
+constexpr std::array<std::string_view, 33> kPieces = {"%",
                                                       "\n",
                                                       "\r",
                                                       " ",
@@ -67,6 +67,7 @@ constexpr std::array<std::string_view, 32> kPieces = {"%",
                                                       " key 31",
                                                       " door 0",
                                                       " plate 1",
+                                                      " timed 60 60",
                                                       "# players: 9\n",
                                                       "# crossings: 0\n",
                                                       "# needs: key 1, plate 31, checkpoint\n",

@@ -31,7 +31,7 @@ const std::string kOnlyTabs = ": only tabs and line ends (LF or CR LF) are allow
 const std::string kSolids = ": use TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHEDRON or ICOSAHEDRON";
 const std::string kNotANumber = " must be a number such as -12 or 0.25, not ";
 const std::string kNotWhole = " must be a whole number such as 12, not ";
-const std::string kWords = "use oneway, up, hazard, checkpoint, key, door, plate, or no word";
+const std::string kWords = "use oneway, up, hazard, checkpoint, key, door, plate, timed, or no word";
 const std::string kBlockedStart =
     ": the start is blocked: a line or a corner overlaps the player there; move the start or the line";
 
@@ -376,9 +376,9 @@ TEST(LevelReaderTest, ElementsComeFirstOnTheirFace) {
   EXPECT_EQ(firstXOf(3), (std::vector<std::int32_t>{5, 3}));
   EXPECT_EQ(linesOf(3), (std::vector<int>{15, 14}));
   ASSERT_EQ(draft.elements.size(), 3u);
-  EXPECT_EQ(draft.elements[0], (Element{ElementKind::kKey, 5, 0, 0, {{3072, 30720}, {4096, 30720}}}));
-  EXPECT_EQ(draft.elements[1], (Element{ElementKind::kPlate, 6, 0, 1, {{7168, 30720}, {8192, 30720}}}));
-  EXPECT_EQ(draft.elements[2], (Element{ElementKind::kUp, 2, 3, 0, {{5120, 51200}, {6144, 51200}}}));
+  EXPECT_EQ(draft.elements[0], (Element{ElementKind::kKey, 5, 0, 0, 0, {{3072, 30720}, {4096, 30720}}}));
+  EXPECT_EQ(draft.elements[1], (Element{ElementKind::kPlate, 6, 0, 0, 1, {{7168, 30720}, {8192, 30720}}}));
+  EXPECT_EQ(draft.elements[2], (Element{ElementKind::kUp, 2, 0, 3, 0, {{5120, 51200}, {6144, 51200}}}));
 }
 
 TEST(LevelReaderTest, ReadsTheLargestNumberOfElementsAndNoMore) {

@@ -103,6 +103,15 @@ TEST(LevelRest, WhoReturnsToTheStartLiesThereAgain) {
   EXPECT_EQ(LevelRest(level).ticksTo(played.game, 0), 1U);
 }
 
+TEST(LevelRest, ThereIsOneWhereNobodyMeetsATimedSegment) {
+  const auto beside = cubeLevel("0 0 -150 0", {"-240 -200 240 -200\n60 -200 60 200 timed 50 50"}, "0 150 -190");
+  const auto below = cubeLevel("0 0 -100 0", {"-240 -200 240 -200\n-40 -150 40 -150 timed 50 50"}, "0 150 -190");
+  for (const int ticks : {20, 60, 130}) {
+    EXPECT_TRUE(LevelRest(beside).ticksTo(atRest(beside, ticks), 0)) << ticks;
+    EXPECT_FALSE(LevelRest(below).ticksTo(atRest(below, ticks), 0)) << ticks;
+  }
+}
+
 TEST(RecordedRun, AnAttemptFromTheStartIsARun) {
   const auto fresh = runToGoal(Game(floorLevel()));
   EXPECT_EQ(faultOf(fresh), "none");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,17 +15,18 @@
 namespace platon {
 
 /// What the word of a segment makes of it. docs/level_format.md describes each.
-enum class ElementKind : std::uint8_t { kOneway, kUp, kHazard, kCheckpoint, kKey, kDoor, kPlate };
+enum class ElementKind : std::uint8_t { kOneway, kUp, kHazard, kCheckpoint, kKey, kDoor, kPlate, kTimed };
 
-inline constexpr std::array<ElementKind, 7> kElementKinds = {
+inline constexpr std::array<ElementKind, 8> kElementKinds = {
     ElementKind::kOneway, ElementKind::kUp,   ElementKind::kHazard, ElementKind::kCheckpoint,
-    ElementKind::kKey,    ElementKind::kDoor, ElementKind::kPlate};
+    ElementKind::kKey,    ElementKind::kDoor, ElementKind::kPlate,  ElementKind::kTimed};
 
-/// What the number after a word counts.
+/// What the numbers after a word count.
 enum class ElementNumber : std::uint8_t {
   kNone,  ///< no number follows
   kEdge,  ///< edges of the face
-  kDoor   ///< doors, and what opens them
+  kDoor,  ///< doors, and what opens them
+  kTicks  ///< two numbers: the ticks for which it is solid, and those for which it is open then
 };
 
 /// Whom a segment blocks.
@@ -67,6 +69,8 @@ constexpr ElementTraits traitsOf(ElementKind kind) {
       return {"door", ElementNumber::kDoor, ElementBlocking::kSome, ElementEffect::kNone};
     case ElementKind::kPlate:
       return {"plate", ElementNumber::kDoor, ElementBlocking::kEverybody, ElementEffect::kOpen};
+    case ElementKind::kTimed:
+      return {"timed", ElementNumber::kTicks, ElementBlocking::kSome, ElementEffect::kNone};
   }
   return {};
 }
@@ -76,8 +80,19 @@ static_assert(traitsOf(static_cast<ElementKind>(kElementKinds.size())).word.empt
 constexpr std::string_view wordOf(ElementKind kind) { return traitsOf(kind).word; }
 /// The kind with this word; nothing when there is none.
 std::optional<ElementKind> elementKindOf(std::string_view word);
-/// Whether a number follows the word.
-constexpr bool hasNumber(ElementKind kind) { return traitsOf(kind).number != ElementNumber::kNone; }
+/// How many numbers follow the word: 0, 1 or 2.
+constexpr std::size_t numbersOf(ElementKind kind) {
+  switch (traitsOf(kind).number) {
+    case ElementNumber::kNone:
+      return 0;
+    case ElementNumber::kEdge:
+    case ElementNumber::kDoor:
+      return 1;
+    case ElementNumber::kTicks:
+      return 2;
+  }
+  return 0;
+}
 /// Whether a segment of this kind can block a player. The others are only touched.
 constexpr bool canBlock(ElementKind kind) { return traitsOf(kind).blocking != ElementBlocking::kNobody; }
 /// Whether a segment of this kind blocks all players at any time.
@@ -98,17 +113,27 @@ constexpr bool isDoor(ElementKind kind) { return traitsOf(kind).number == Elemen
 /// Numbers of keys, doors and plates are below this: a door is one bit of the game's state.
 inline constexpr std::uint32_t kMaxDoorNumbers = 32;
 
-/// How many numbers can follow the word, from 0 on; 0 if none follows. `edges` is the number of edges of a face.
-constexpr std::uint32_t numbersAfter(ElementKind kind, std::uint32_t edges) {
+/// A timed segment is solid and open for at most this many ticks each: a minute.
+inline constexpr std::uint32_t kMaxTimedTicks = 3600;
+
+/// A range of numbers, both ends included.
+struct NumberRange {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+/// The range of each number after the word; of a word without one, only 0. `edges` is the number of edges of a face.
+constexpr NumberRange rangeOf(ElementKind kind, std::uint32_t edges) {
   switch (traitsOf(kind).number) {
     case ElementNumber::kNone:
-      return 0;
+      return {0, 0};
     case ElementNumber::kEdge:
-      return edges;
+      return {0, edges - 1};
     case ElementNumber::kDoor:
-      return kMaxDoorNumbers;
+      return {0, kMaxDoorNumbers - 1};
+    case ElementNumber::kTicks:
+      return {1, kMaxTimedTicks};
   }
-  return 0;
+  return {0, 0};
 }
 
 /// How much less than its apothem, in subunits, the centre of a player that stands on a one-way segment may be away
@@ -118,7 +143,9 @@ inline constexpr std::int32_t kOnewaySlack = 64;
 /// A segment of a level with a word.
 struct Element {
   ElementKind kind = ElementKind::kOneway;
-  std::uint8_t number = 0;  ///< edge of the face (kUp), or number of keys, doors and plates that belong together
+  /// Edge of the face (kUp), number of keys, doors and plates that belong together, or ticks for which it is solid.
+  std::uint16_t number = 0;
+  std::uint16_t openTicks = 0;  ///< of kTimed: for which it is open then; 0 of others
   std::uint32_t face = 0;
   std::uint32_t segment = 0;  ///< index into the segments of the face
   Segment ends;               ///< in the frame of the face
@@ -129,12 +156,41 @@ struct Element {
   friend bool operator==(const Element&, const Element&) = default;
 };
 
-/// The word of a segment and its number, as in level files: "key 1". Elements with the same belong together.
+/// Where a timed segment is in its turn.
+struct TimedPhase {
+  bool isOpen = false;
+  std::uint32_t ticksLeft = 0;  ///< of this state, the present tick included; at least 1
+  std::uint32_t ticks = 0;      ///< of the whole state
+};
+/// Of the tick that follows after `tick` ticks of a round: first it is solid.
+constexpr TimedPhase phaseOf(const Element& timed, std::uint32_t tick) {
+  const std::uint32_t solid = timed.number;
+  const std::uint32_t passed = tick % (solid + timed.openTicks);
+  if (passed < solid) return {false, solid - passed, solid};
+  return {true, solid + timed.openTicks - passed, timed.openTicks};
+}
+
+/// What is open in a tick of a game.
+struct OpenElements {
+  std::uint32_t doors = 0;  ///< bits of the numbers whose doors are open
+  std::uint32_t tick = 0;   ///< of the round, before this one
+
+  /// Whether this element, a door or a timed segment, is open; false of others.
+  constexpr bool has(const Element& element) const {
+    if (element.kind == ElementKind::kTimed) return phaseOf(element, tick).isOpen;
+    return isDoor(element.kind) && (doors & element.bit()) != 0;
+  }
+};
+
+/// The word of a segment and its numbers, as in level files: "key 1". Elements with the same belong together.
 struct ElementWord {
   ElementKind kind = ElementKind::kOneway;
-  std::uint8_t number = 0;  ///< 0 after a word without one
+  std::uint16_t number = 0;     ///< 0 after a word without one
+  std::uint16_t openTicks = 0;  ///< the second number; 0 if there is none
 
-  bool isOf(const Element& element) const { return element.kind == kind && element.number == number; }
+  bool isOf(const Element& element) const {
+    return element.kind == kind && element.number == number && element.openTicks == openTicks;
+  }
   std::string text() const;
 
   friend bool operator==(const ElementWord&, const ElementWord&) = default;

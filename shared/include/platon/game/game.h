@@ -51,6 +51,8 @@ class Game {
 
   /// Bits of the numbers whose doors are open in the next tick: a key was taken, or a player stands on a plate.
   std::uint32_t openDoors() const { return keys_ | plates_; }
+  /// What is open in the next tick.
+  OpenElements open() const { return {openDoors(), tick_}; }
   /// Bits of the numbers whose keys have been taken.
   std::uint32_t takenKeys() const { return keys_; }
   /// Bits of the numbers on whose plates a player stood after the last tick.

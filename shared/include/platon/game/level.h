@@ -36,6 +36,7 @@ struct Level {
   TextPosition goalAt;                               ///< position of the goal's x in the text
   std::vector<Element> elements;                     ///< the segments with a word, in order of face and segment
   std::uint32_t doorNumbers = 0;                     ///< bits of the numbers of all keys and plates
+  bool isTimed = false;                              ///< it has timed segments, so it depends on the clock of the round
   std::uint32_t players = 1;                         ///< how many players the level needs, as its text states
   std::optional<std::uint32_t> crossings;  ///< how many crossings every way to the goal needs, as its text states
   std::vector<ElementWord> needs;          ///< what every way to the goal uses, each of them, as its text states

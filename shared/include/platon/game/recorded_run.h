@@ -19,7 +19,8 @@ class LevelRest {
   /// Most ticks that are looked at. On usual levels a player rests after some tens.
   static constexpr std::uint32_t kMaxTicks = 600;
 
-  /// Plays up to kMaxTicks ticks of one player.
+  /// Plays up to kMaxTicks ticks of one player. Where it depends on the clock of the round what the player goes
+  /// through, there is no rest: nobody lies there.
   explicit LevelRest(const std::shared_ptr<const Level>& level);
 
   /// The ticks without a button after which a player is as that of `slot` is: the same place and motion, and no
@@ -46,6 +47,7 @@ class LevelRest {
     std::uint32_t plates = 0;
   };
 
+  void play(const std::shared_ptr<const Level>& level);
   static Stay stayOf(const Game& game, std::uint32_t slot);
 
   std::vector<Stay> stays_;     // after 1, 2 … ticks

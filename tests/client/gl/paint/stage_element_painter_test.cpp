@@ -15,6 +15,7 @@
 #include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
+#include "tests/support/sample_word.h"
 
 namespace platon::stage_element_painter_test {
 namespace {
@@ -84,8 +85,7 @@ long differingPixels(const Image& a, const Image& b) {
 // "oneway", "up 2" … "plate 2": one of each kind.
 std::vector<std::string> oneOfEachKind() {
   std::vector<std::string> words;
-  for (const ElementKind kind : kElementKinds)
-    words.push_back(std::string(wordOf(kind)) + (hasNumber(kind) ? " 2" : ""));
+  for (const ElementKind kind : kElementKinds) words.push_back(sampleWord(kind).text());
   return words;
 }
 
@@ -136,9 +136,23 @@ TEST_F(ElementPictureTest, ATakenKeyIsGone) {
 
 TEST_F(ElementPictureTest, NumbersDiffer) {
   for (const ElementKind kind : kElementKinds) {
-    if (!hasNumber(kind) || traitsOf(kind).number == ElementNumber::kEdge) continue;  // arrows show the edge
+    if (traitsOf(kind).number != ElementNumber::kDoor) continue;  // arrows show the edge, and a clock the times
     const std::string segment = "-120 0 120 0 " + std::string(wordOf(kind));
     EXPECT_NE(draw(sceneWith(segment + " 1\n")), draw(sceneWith(segment + " 7\n"))) << wordOf(kind);
+  }
+}
+
+TEST_F(ElementPictureTest, AClockShowsHowLongItTakesWithoutColour) {
+  for (const std::uint8_t active : {std::uint8_t{1}, std::uint8_t{0}}) {
+    std::vector<Image> images;
+    for (const float full : {0.1F, 0.4F, 0.7F, 1.0F}) {
+      Scene scene = sceneWith("-120 0 120 0 timed 60 60\n");
+      scene.elements.active[0] = active;
+      scene.elements.clocks[0] = full;
+      images.push_back(draw(scene));
+      for (std::size_t i = 0; i + 1 < images.size(); ++i)
+        EXPECT_GT(differingPixels(images[i], images.back()), 20) << full << ", active: " << int{active};
+    }
   }
 }
 

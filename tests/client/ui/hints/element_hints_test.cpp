@@ -58,7 +58,7 @@ TEST(ElementHints, EachKindIsToldOneAfterAnother) {
   EXPECT_EQ(hints.hint(), kKey);
   play(hints, elements, untold, 1);
   EXPECT_EQ(hints.hint(), "");
-  EXPECT_EQ(textOf(untold), "up,hazard,checkpoint,door,plate");
+  EXPECT_EQ(textOf(untold), "up,hazard,checkpoint,door,plate,timed");
 }
 
 TEST(ElementHints, AKindIsToldUntilTheBallHasMetOne) {
@@ -74,7 +74,7 @@ TEST(ElementHints, AKindIsToldUntilTheBallHasMetOne) {
   play(hints, elements, untold, 1, ballOn(0, 2 * kPlayerRadius - 1));
   play(hints, elements, untold, kReadTicks, ballOn(1));
   EXPECT_EQ(hints.hint(), "");
-  EXPECT_EQ(textOf(untold), "oneway,up,hazard,checkpoint,door,plate");
+  EXPECT_EQ(textOf(untold), "oneway,up,hazard,checkpoint,door,plate,timed");
 }
 
 TEST(ElementHints, KindsThatTheBallHasNotMetTakeTurns) {

@@ -7,19 +7,24 @@
 
 namespace platon::oracle {
 
-void Blocking::setOpen(const std::vector<std::int64_t>& doors) {
+void Blocking::setOpen(const std::vector<std::int64_t>& open, std::int64_t tick) {
   std::fill(isOpen_.begin(), isOpen_.end(), false);
-  for (const std::int64_t door : doors) {
-    const bool isDoor = door >= 0 && door < static_cast<std::int64_t>(isOpen_.size()) &&
-                        map_.element(door).word == Word::kDoor && !isOpen_[static_cast<std::size_t>(door)];
-    if (!isDoor) return report_.violate("open", std::to_string(door) + " is no door, or is listed twice");
-    isOpen_[static_cast<std::size_t>(door)] = true;
+  for (const std::int64_t index : open) {
+    const bool isElement = index >= 0 && index < static_cast<std::int64_t>(isOpen_.size());
+    const bool mayOpen =
+        isElement && (map_.element(index).word == Word::kDoor || map_.element(index).word == Word::kTimed);
+    if (!mayOpen || isOpen_[static_cast<std::size_t>(index)])
+      return report_.violate("open", std::to_string(index) + " cannot open, or is listed twice");
+    isOpen_[static_cast<std::size_t>(index)] = true;
   }
   std::map<std::int64_t, bool> byNumber;
   for (std::size_t i = 0; i < isOpen_.size(); ++i) {
     const MapElement& element = map_.elements()[i];
     if (element.word == Word::kDoor && byNumber.emplace(element.number, isOpen_[i]).first->second != isOpen_[i])
       report_.violate("open", "only some of the doors " + std::to_string(element.number) + " are open");
+    const bool byClock = element.word == Word::kTimed && tick % (element.number + element.second) >= element.number;
+    if (element.word == Word::kTimed && isOpen_[i] != byClock)
+      report_.violate("open", "timed segment " + std::to_string(i) + " is not as the clock says");
   }
 }
 
@@ -52,6 +57,7 @@ bool Blocking::forbids(const MapLine& line, const TraceInstance& instance) {
     case Word::kUp:
       return pointsUpTo(element.number, instance);
     case Word::kDoor:
+    case Word::kTimed:
       return !isOpen_[static_cast<std::size_t>(line.element)];
     case Word::kCheckpoint:
     case Word::kKey:
@@ -72,6 +78,7 @@ bool Blocking::blocksAlways(const MapLine& line) const {
     case Word::kOneway:
     case Word::kUp:
     case Word::kDoor:
+    case Word::kTimed:
     case Word::kCheckpoint:
     case Word::kKey:
       return false;

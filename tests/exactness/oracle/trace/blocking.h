@@ -13,9 +13,9 @@ class Blocking {
   Blocking(const TraceMap& map, ShapeLibrary& shapes, TraceReport& report)
       : map_(map), shapes_(shapes), report_(report), isOpen_(map.elements().size()) {}
 
-  /// Sets the doors that are open from now on, by the indices of the elements. Only doors open, each is listed once,
-  /// and doors of one number are open together.
-  void setOpen(const std::vector<std::int64_t>& doors);
+  /// Sets what is open in the tick after `tick` ticks, by the indices of the elements. Only doors and timed segments
+  /// open, each is listed once; doors of one number are open together, and timed segments as the clock says.
+  void setOpen(const std::vector<std::int64_t>& open, std::int64_t tick);
 
   /// Whether `line`, of the face of the instance, may not be overlapped by an instance that arrives in this place. A
   /// one-way segment is never in the way of an instance that overlaps it: such an instance is not on its left side.

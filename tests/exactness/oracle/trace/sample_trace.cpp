@@ -89,6 +89,7 @@ std::string toJson(const TraceElement& element) {
   std::string fields = field("face", element.face) + field("line", element.line) +
                        field("word", std::string("\"").append(element.word).append("\""));
   if (element.k >= 0) fields += field("k", element.k);
+  if (element.k2 >= 0) fields += field("k2", element.k2);
   return object(fields);
 }
 

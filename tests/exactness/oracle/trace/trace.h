@@ -27,6 +27,7 @@ struct TraceElement {
   std::int64_t line = 0;  ///< index into the lines of the face
   std::string word;
   std::int64_t k = -1;
+  std::int64_t k2 = -1;
 };
 
 /// First line of a trace.

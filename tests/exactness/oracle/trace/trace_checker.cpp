@@ -53,7 +53,7 @@ bool TraceChecker::checkTick(std::string_view line) {
     report_.violate("format", "does not follow tick " + std::to_string(*lastTick_));
   lastTick_ = tick.tick;
   ++report_.ticks;
-  checkers_->blocking.setOpen(tick.open);
+  checkers_->blocking.setOpen(tick.open, tick.tick - 1);
   std::map<std::int64_t, TraceLeg> now;
   for (const TracePlayer& player : tick.players) checkPlayer(player, now);
   last_ = std::move(now);

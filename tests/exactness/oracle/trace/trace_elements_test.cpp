@@ -22,9 +22,9 @@ const RuleNames kOpen{"open"};
 class TraceElements : public testing::Test {
  protected:
   /// Adds a line with a word to face 0.
-  void add(const Segment& line, const std::string& word, std::int64_t k = -1) {
+  void add(const Segment& line, const std::string& word, std::int64_t k = -1, std::int64_t k2 = -1) {
     TraceFace& face = trace_.header.faces[0];
-    trace_.header.elements.push_back({0, static_cast<std::int64_t>(face.lines.size()), word, k});
+    trace_.header.elements.push_back({0, static_cast<std::int64_t>(face.lines.size()), word, k, k2});
     face.lines.push_back(line);
   }
   RuleNames violatedWith(const Segment& line, const std::string& word, std::int64_t k = -1) {
@@ -57,6 +57,21 @@ TEST_F(TraceElements, DoorsBlockUnlessTheyAreOpen) {
   EXPECT_EQ(violatedRules(trace_), RuleNames{});
   trace_.ticks[1].open.clear();
   EXPECT_EQ(violatedRules(trace_), kPath);
+}
+
+TEST_F(TraceElements, TimedSegmentsBlockByTheClock) {
+  for (std::int64_t later = 0; later < 12; ++later) {
+    trace_ = sampleTrace();
+    add(ahead_, "timed", 3, 2);
+    for (TraceTick& tick : trace_.ticks) {
+      tick.tick += later;
+      if (tick.tick > 0 && (tick.tick - 1) % 5 >= 3) tick.open = {0};
+    }
+    const bool isOpen = !trace_.ticks[1].open.empty();
+    EXPECT_EQ(violatedRules(trace_), isOpen ? RuleNames{} : kPath) << later;
+    trace_.ticks[1].open = isOpen ? std::vector<std::int64_t>{} : std::vector<std::int64_t>{0};
+    EXPECT_TRUE(violatedRules(trace_).contains("open")) << later;
+  }
 }
 
 TEST_F(TraceElements, NobodyArrivesInAClosedDoor) {
@@ -173,6 +188,13 @@ TEST_F(TraceElements, ElementsHaveALineAWordAndItsNumber) {
   EXPECT_EQ(violatedBy({0, 4, "up", 4}), kHeader);
   EXPECT_EQ(violatedBy({0, 4, "up", 3}), RuleNames{});
   EXPECT_EQ(violatedBy({0, 4, "oneway"}), kHeader) << "a point has no sides";
+  EXPECT_EQ(violatedBy({0, 4, "timed", 3600, 1}), RuleNames{});
+  EXPECT_EQ(violatedBy({0, 4, "timed", 3601, 1}), kHeader);
+  EXPECT_EQ(violatedBy({0, 4, "timed", 1, 3601}), kHeader);
+  EXPECT_EQ(violatedBy({0, 4, "timed", 0, 1}), kHeader);
+  EXPECT_EQ(violatedBy({0, 4, "timed", 1, 0}), kHeader);
+  EXPECT_EQ(violatedBy({0, 4, "timed", 1}), kHeader);
+  EXPECT_EQ(violatedBy({0, 4, "door", 31, 1}), kHeader);
   trace_.header.elements = {good, good};
   EXPECT_EQ(violatedRules(trace_), kHeader);
 }

@@ -13,9 +13,12 @@ namespace {
 constexpr std::int64_t kBeyond = 5;
 /// Numbers of keys, doors and plates are below this.
 constexpr std::int64_t kDoorNumbers = 32;
+/// A timed segment is solid and open for at most this many ticks each.
+constexpr std::int64_t kLongestTime = 3600;
 
 /// The words in the order of `Word`.
-constexpr std::array<std::string_view, 7> kWords{"oneway", "up", "hazard", "checkpoint", "key", "door", "plate"};
+constexpr std::array<std::string_view, 8> kWords{"oneway", "up",   "hazard", "checkpoint",
+                                                 "key",    "door", "plate",  "timed"};
 
 std::optional<Word> wordOf(const std::string& text) {
   const auto found = std::find(kWords.begin(), kWords.end(), text);
@@ -23,21 +26,23 @@ std::optional<Word> wordOf(const std::string& text) {
   return static_cast<Word>(found - kWords.begin());
 }
 
-/// The number of values that the number after the word can have; 0 if no number follows.
-std::int64_t numbersAfter(Word word, std::size_t edges) {
+/// Whether the numbers are those that may follow the word; -1 stands for none.
+bool areNumbersOf(Word word, std::size_t edges, std::int64_t first, std::int64_t second) {
   switch (word) {
     case Word::kUp:
-      return static_cast<std::int64_t>(edges);
+      return first >= 0 && first < static_cast<std::int64_t>(edges) && second == -1;
     case Word::kKey:
     case Word::kDoor:
     case Word::kPlate:
-      return kDoorNumbers;
+      return first >= 0 && first < kDoorNumbers && second == -1;
+    case Word::kTimed:
+      return std::min(first, second) > 0 && std::max(first, second) <= kLongestTime;
     case Word::kOneway:
     case Word::kHazard:
     case Word::kCheckpoint:
-      return 0;
+      return first == -1 && second == -1;
   }
-  return 0;
+  return false;
 }
 
 /// The edge moved outwards by kBeyond subunits and shortened by as much at both ends, so that it lies in the adjacent
@@ -115,12 +120,10 @@ class TraceMapBuilder {
     if (line.element >= 0) return failElement("has the line of another one");
     const std::optional<Word> word = wordOf(element.word);
     if (!word) return failElement("has an unknown word");
-    const std::int64_t numbers = numbersAfter(*word, face.edges);
-    if (numbers == 0 ? element.k != -1 : element.k < 0 || element.k >= numbers)
-      return failElement("has a wrong number");
+    if (!areNumbersOf(*word, face.edges, element.k, element.k2)) return failElement("has a wrong number");
     if (*word == Word::kOneway && line.segment.a == line.segment.b) return failElement("has no sides");
     line.element = static_cast<std::int64_t>(map_.elements_.size());
-    map_.elements_.push_back({element.face, line.segment, *word, element.k});
+    map_.elements_.push_back({element.face, line.segment, *word, element.k, element.k2});
     return true;
   }
 

@@ -16,7 +16,7 @@ struct MapLine {
   std::int64_t element = -1;  ///< index of the element; -1 if it is none
 };
 
-enum class Word { kOneway, kUp, kHazard, kCheckpoint, kKey, kDoor, kPlate };
+enum class Word { kOneway, kUp, kHazard, kCheckpoint, kKey, kDoor, kPlate, kTimed };
 
 /// A segment with a word, which decides when it blocks.
 struct MapElement {
@@ -24,6 +24,7 @@ struct MapElement {
   Segment segment;
   Word word = Word::kOneway;
   std::int64_t number = -1;  ///< the number after the word; -1 if there is none
+  std::int64_t second = -1;  ///< the number after that; -1 if there is none
 };
 
 /// A warp, with values derived from it.

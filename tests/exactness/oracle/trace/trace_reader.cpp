@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> kWarpKeys{"from", "to", "onto"};
 constexpr std::array<std::string_view, 4> kFaceKeys{"face", "polygon", "lines", "warps"};
 constexpr std::array<std::string_view, 7> kInstanceKeys{"id", "face", "x", "y", "angle", "via", "shape"};
 constexpr std::array<std::string_view, 2> kPlayerKeys{"id", "legs"};
-constexpr std::array<std::string_view, 4> kElementKeys{"face", "line", "word", "k"};
+constexpr std::array<std::string_view, 5> kElementKeys{"face", "line", "word", "k", "k2"};
 constexpr std::array<std::string_view, 5> kHeaderKeys{"solid", "subunits", "shape", "elements", "faces"};
 constexpr std::array<std::string_view, 4> kTickKeys{"tick", "hash", "open", "players"};
 constexpr std::size_t kNumberKey = 3;
@@ -142,8 +142,9 @@ TraceElement readElement(JsonReader& reader) {
         element.word = reader.string();
         break;
       default:
-        element.k = reader.integer();
-        if (element.k < 0) reader.fail("negative number of an element");
+        std::int64_t& number = key == "k" ? element.k : element.k2;
+        number = reader.integer();
+        if (number < 0) reader.fail("negative number of an element");
     }
   });
   keys.finish();
