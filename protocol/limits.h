@@ -10,7 +10,7 @@
 namespace platon {
 
 /// Version of the messages; both sides must have the same. docs/architecture.md#versions says when it is raised.
-inline constexpr std::uint32_t kProtocolVersion = 4;
+inline constexpr std::uint32_t kProtocolVersion = 5;
 inline constexpr std::uint16_t kDefaultPort = 7777;
 
 /// Channels of the transport. All reliable messages share one, so that they arrive in the order in which they were
@@ -49,7 +49,12 @@ inline constexpr std::uint32_t kMaxPauseTicks = 60 * kTicksPerSecond;
 /// Longest time to a goal that counts as a best time: a day. A round of a player who is alone may have no time limit.
 inline constexpr std::uint32_t kMaxBestTicks = 24 * 60 * 60 * kTicksPerSecond;
 
-/// Inputs in one message of a client: enough for a round trip of 2 s and a buffer of 1 s.
+/// Players who may share a connection, each in a slot of its own. Their *local numbers* are 0 … kMaxLocalPlayers - 1: 0
+/// is the player of `Hello`, the others are its companions.
+inline constexpr std::uint32_t kMaxLocalPlayers = 4;
+
+/// Inputs of one player in one message of a client: enough for a round trip of 2 s and a buffer of 1 s. With those of
+/// kMaxLocalPlayers, none of which equals the one before, the message is below kMaxMessageBytes.
 inline constexpr std::uint32_t kMaxInputsPerMessage = 256;
 /// Ticks and input changes in one message of the server. Every single tick fits, and the longest message is below
 /// `kMaxMessageBytes`: a change takes two bytes, or three when at least three ticks lie between it and the last

@@ -222,6 +222,18 @@ std::optional<ToClient> read(const wire::RoundTrips& table) {
   return RoundTrips{{codes.begin(), codes.end()}};
 }
 
+// The bits of `taken` say which local numbers have a slot; those of others mean nothing.
+std::optional<ToClient> read(const wire::LocalSlots& table) {
+  const auto slots = spanOf(table.slots());
+  const bool isFirstIn = (table.taken() & 1) != 0;
+  if (slots.size() != kMaxLocalPlayers || table.taken() >> kMaxLocalPlayers != 0 || !isFirstIn) return std::nullopt;
+  LocalSlots message{{}, textOf(table.reason())};
+  if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
+  for (std::size_t local = 0; local < slots.size(); ++local)
+    if ((table.taken() >> local & 1) != 0) message.slots[local] = slots[local];
+  return message;
+}
+
 std::optional<ToClient> readBody(const wire::ToClient& root) {
   switch (root.body_type()) {
     case Body::Welcome:
@@ -248,6 +260,8 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
       return read(*root.body_as_PlayerChat());
     case Body::RoundTrips:
       return read(*root.body_as_RoundTrips());
+    case Body::LocalSlots:
+      return read(*root.body_as_LocalSlots());
     default:
       return std::nullopt;
   }
@@ -356,6 +370,20 @@ Bytes encode(const RoundTrips& message) {
   Builder builder;
   const auto codes = builder.CreateVector(message.codes);
   return finish(builder, Body::RoundTrips, wire::CreateRoundTrips(builder, codes));
+}
+
+Bytes encode(const LocalSlots& message) {
+  assert(message.slots[0]);
+  Builder builder;
+  std::uint8_t taken = 0;
+  std::array<std::uint8_t, kMaxLocalPlayers> slots{};
+  for (std::size_t local = 0; local < slots.size(); ++local) {
+    slots[local] = static_cast<std::uint8_t>(message.slots[local].value_or(0));
+    if (message.slots[local]) taken |= static_cast<std::uint8_t>(1U << local);
+  }
+  const auto vector = builder.CreateVector(slots.data(), slots.size());
+  const auto reason = message.reason.empty() ? 0 : builder.CreateString(message.reason);
+  return finish(builder, Body::LocalSlots, wire::CreateLocalSlots(builder, taken, vector, reason));
 }
 
 Bytes encode(const ConfirmedTicks& message) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -141,6 +142,15 @@ struct PlayerChat {
   friend bool operator==(const PlayerChat&, const PlayerChat&) = default;
 };
 
+/// The slots of the players of this client, by local number. Answers each `Companion`, and is sent when a player has
+/// been removed. After `Welcome`, only the player of `Hello` has a slot, unless a client resumes: then this follows.
+struct LocalSlots {
+  std::array<std::optional<std::uint32_t>, kMaxLocalPlayers> slots;  ///< below kMaxPlayers; of 0 always
+  std::string reason{};  ///< why a player does not have one, a sentence for the players, a label; empty: as they wished
+
+  friend bool operator==(const LocalSlots&, const LocalSlots&) = default;
+};
+
 /// The round trip between the server and a player in one byte: kNoRoundTrip for none, else one more than the number of
 /// kRoundTripStepMs, rounded. The highest code stands for every longer one.
 inline constexpr std::uint8_t kNoRoundTrip = 0;
@@ -210,7 +220,7 @@ struct ConfirmedTicks {
 };
 
 using ToClient = std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, Notice,
-                              VoteCount, PlayerChat, RoundTrips, ConfirmedTicks>;
+                              VoteCount, PlayerChat, RoundTrips, LocalSlots, ConfirmedTicks>;
 
 /// Decodes a message from the server. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
@@ -228,6 +238,7 @@ std::vector<std::uint8_t> encode(const Notice& message);
 std::vector<std::uint8_t> encode(const VoteCount& message);
 std::vector<std::uint8_t> encode(const PlayerChat& message);
 std::vector<std::uint8_t> encode(const RoundTrips& message);
+std::vector<std::uint8_t> encode(const LocalSlots& message);
 std::vector<std::uint8_t> encode(const ConfirmedTicks& message);
 
 }  // namespace platon

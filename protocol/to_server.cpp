@@ -13,6 +13,9 @@
 namespace platon {
 namespace {
 
+// The inputs of a companion follow a byte of kAbsentCode, which no run has, with the local number above it.
+static_assert(kMaxLocalPlayers - 1 <= UINT8_MAX >> kInputCodeBits);
+
 // A run of equal inputs is one byte: the code of the input in the low bits, the length above them. A length of 0 means
 // that a varint follows: the length minus kLongRun.
 constexpr std::uint32_t kLongRun = 1 << (8 - kInputCodeBits);
@@ -28,17 +31,49 @@ void writeRuns(ByteWriter& out, const std::vector<Input>& inputs) {
   }
 }
 
-bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
+bool readRun(ByteReader& in, std::uint8_t head, Input input, std::vector<Input>& inputs) {
+  std::uint32_t count = head >> kInputCodeBits;
+  if (count == 0) count = std::min(in.varint(), kMaxInputsPerMessage) + kLongRun;
+  if (count > kMaxInputsPerMessage - inputs.size()) return false;
+  inputs.insert(inputs.end(), count, input);
+  return true;
+}
+
+// Begins the inputs of a companion; `first`: of the message.
+bool readCompanion(ByteReader& in, std::uint32_t local, std::uint32_t first, std::vector<CompanionInputs>& companions) {
+  const std::uint32_t after = companions.empty() ? 0 : companions.back().local;
+  const std::uint32_t later = in.varint();
+  if (local <= after || later > UINT32_MAX - first) return false;
+  companions.push_back({local, first + later, {}});
+  return true;
+}
+
+// All inputs of a message, of which the rest has been read.
+bool readInputs(ByteReader& in, PlayerInputs& message) {
+  std::vector<Input>* inputs = &message.inputs;
   while (in.ok() && !in.atEnd()) {
     const std::uint8_t head = in.byte();
     const auto input = inputOf(head & kInputCodeMask);
-    if (!input || !input->has(Input::kPresent)) return false;
-    std::uint32_t count = head >> kInputCodeBits;
-    if (count == 0) count = std::min(in.varint(), kMaxInputsPerMessage) + kLongRun;
-    if (count > kMaxInputsPerMessage - inputs.size()) return false;
-    inputs.insert(inputs.end(), count, *input);
+    if (!input) return false;
+    if (input->has(Input::kPresent)) {
+      if (!readRun(in, head, *input, *inputs)) return false;
+    } else {
+      if (!readCompanion(in, head >> kInputCodeBits, message.first, message.companions)) return false;
+      inputs = &message.companions.back().inputs;
+    }
   }
   return in.ok();
+}
+
+bool endsInTime(std::uint32_t first, const std::vector<Input>& inputs) {
+  return std::uint64_t{first} + inputs.size() <= UINT32_MAX;
+}
+
+bool isValid(const PlayerInputs& message) {
+  return endsInTime(message.first, message.inputs) &&
+         std::all_of(message.companions.begin(), message.companions.end(), [](const CompanionInputs& each) {
+           return !each.inputs.empty() && endsInTime(each.first, each.inputs);
+         });
 }
 
 std::vector<std::uint8_t> packInputs(const PlayerInputs& message) {
@@ -51,6 +86,11 @@ std::vector<std::uint8_t> packInputs(const PlayerInputs& message) {
   out.fixed32(message.hash);
   out.varint(message.first - message.confirmed);
   writeRuns(out, message.inputs);
+  for (const CompanionInputs& companion : message.companions) {
+    out.byte(static_cast<std::uint8_t>(kAbsentCode | companion.local << kInputCodeBits));
+    out.varint(companion.first - message.first);
+    writeRuns(out, companion.inputs);
+  }
   return out.take();
 }
 
@@ -63,10 +103,9 @@ std::optional<PlayerInputs> unpackInputs(std::span<const std::uint8_t> bytes) {
   message.confirmed = in.varint();
   message.hash = in.fixed32();
   const std::uint32_t ahead = in.varint();
-  if (!in.ok() || !readRuns(in, message.inputs)) return std::nullopt;
-  const std::uint64_t end = std::uint64_t{message.confirmed} + ahead + message.inputs.size();
-  if (end > UINT32_MAX) return std::nullopt;
+  if (!in.ok() || ahead > UINT32_MAX - message.confirmed) return std::nullopt;
   message.first = message.confirmed + ahead;
+  if (!readInputs(in, message) || !isValid(message)) return std::nullopt;
   return message;
 }
 
@@ -95,10 +134,17 @@ std::optional<ToServer> readHello(const wire::Hello& table) {
   return hello;
 }
 
-std::optional<ToServer> readChat(const wire::Chat& table) {
-  Chat chat{textOf(table.text()), table.emote()};
-  if (!isChat(chat)) return std::nullopt;
-  return chat;
+std::optional<ToServer> readChat(const wire::LocalChat& table) {
+  LocalChat message{table.local(), {textOf(table.text()), table.emote()}};
+  if (message.local >= kMaxLocalPlayers || !isChat(message.chat)) return std::nullopt;
+  return message;
+}
+
+std::optional<ToServer> readCompanion(const wire::Companion& table) {
+  Companion companion{table.local(), table.joins(), textOf(table.name())};
+  const bool isNamed = isLabel(companion.name, kMaxNameBytes) && (companion.joins || companion.name.empty());
+  if (companion.local == 0 || !isNamed) return std::nullopt;
+  return companion;
 }
 
 std::optional<ToServer> readBody(const wire::ToServer& root) {
@@ -111,8 +157,10 @@ std::optional<ToServer> readBody(const wire::ToServer& root) {
       return Leave{};
     case wire::ToServerBody::Vote:
       return Vote{root.body_as_Vote()->round(), root.body_as_Vote()->next()};
-    case wire::ToServerBody::Chat:
-      return readChat(*root.body_as_Chat());
+    case wire::ToServerBody::LocalChat:
+      return readChat(*root.body_as_LocalChat());
+    case wire::ToServerBody::Companion:
+      return readCompanion(*root.body_as_Companion());
     default:
       return std::nullopt;
   }
@@ -159,11 +207,20 @@ std::vector<std::uint8_t> encode(const Vote& message) {
   return finish(builder, wire::ToServerBody::Vote, wire::CreateVote(builder, message.round, message.next));
 }
 
-std::vector<std::uint8_t> encode(const Chat& message) {
-  assert(isChat(message));
+std::vector<std::uint8_t> encode(const LocalChat& message) {
+  assert(isChat(message.chat) && message.local < kMaxLocalPlayers);
   flatbuffers::FlatBufferBuilder builder;
-  const auto text = message.text.empty() ? 0 : builder.CreateString(message.text);
-  return finish(builder, wire::ToServerBody::Chat, wire::CreateChat(builder, text, message.emote));
+  const auto text = message.chat.text.empty() ? 0 : builder.CreateString(message.chat.text);
+  return finish(builder, wire::ToServerBody::LocalChat,
+                wire::CreateLocalChat(builder, text, message.chat.emote, message.local));
+}
+
+std::vector<std::uint8_t> encode(const Companion& message) {
+  assert(message.local > 0 && (message.joins || message.name.empty()));
+  flatbuffers::FlatBufferBuilder builder;
+  const auto name = message.name.empty() ? 0 : builder.CreateString(message.name);
+  return finish(builder, wire::ToServerBody::Companion,
+                wire::CreateCompanion(builder, message.local, message.joins, name));
 }
 
 std::vector<std::uint8_t> encode(const PlayerInputs& message) {

@@ -44,7 +44,33 @@ struct Vote {
   friend bool operator==(const Vote&, const Vote&) = default;
 };
 
-/// Progress of the client's confirmed game, and all inputs of its player that the server has not confirmed.
+/// Another player joins over this connection, gets another name, or leaves. The answer is `LocalSlots`. Reliable.
+struct Companion {
+  std::uint32_t local = 1;  ///< its local number, at least 1. The server refuses numbers from kMaxLocalPlayers on
+  bool joins = true;        ///< otherwise it leaves
+  std::string name{};       ///< as in Hello; empty if it leaves
+
+  friend bool operator==(const Companion&, const Companion&) = default;
+};
+
+/// A player of this connection says this. Reliable.
+struct LocalChat {
+  std::uint32_t local = 0;  ///< its local number, below kMaxLocalPlayers
+  Chat chat;
+
+  friend bool operator==(const LocalChat&, const LocalChat&) = default;
+};
+
+/// Inputs of a companion in PlayerInputs.
+struct CompanionInputs {
+  std::uint32_t local = 1;    ///< its local number, 1 … kMaxLocalPlayers - 1
+  std::uint32_t first = 0;    ///< tick of the first input; at least PlayerInputs::first
+  std::vector<Input> inputs;  ///< as in PlayerInputs; at least one
+
+  friend bool operator==(const CompanionInputs&, const CompanionInputs&) = default;
+};
+
+/// Progress of the client's confirmed game, and all inputs of its players that the server has not confirmed.
 /// Unsequenced. Sent in the tick in which the input changes and in the two ticks after it, otherwise every fourth tick,
 /// and every 80 ms while there are no inputs. The first one of a round tells the server that the client has the level
 /// and starts.
@@ -56,11 +82,12 @@ struct PlayerInputs {
   std::uint32_t first = 0;      ///< tick of the first input; at least `confirmed`
   std::vector<Input> inputs;    ///< of consecutive ticks, each with kPresent; at most kMaxInputsPerMessage
   std::uint8_t sequence = 0;    ///< one more than in the last PlayerInputs, modulo 256
+  std::vector<CompanionInputs> companions{};  ///< in rising order of local numbers, each once
 
   friend bool operator==(const PlayerInputs&, const PlayerInputs&) = default;
 };
 
-using ToServer = std::variant<Hello, LevelRequest, Leave, Vote, Chat, PlayerInputs>;
+using ToServer = std::variant<Hello, LevelRequest, Leave, Vote, LocalChat, Companion, PlayerInputs>;
 
 /// Decodes a message from a client. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes);
@@ -70,7 +97,8 @@ std::vector<std::uint8_t> encode(const Hello& message);
 std::vector<std::uint8_t> encode(const LevelRequest& message);
 std::vector<std::uint8_t> encode(const Leave& message);
 std::vector<std::uint8_t> encode(const Vote& message);
-std::vector<std::uint8_t> encode(const Chat& message);
+std::vector<std::uint8_t> encode(const LocalChat& message);
+std::vector<std::uint8_t> encode(const Companion& message);
 std::vector<std::uint8_t> encode(const PlayerInputs& message);
 
 }  // namespace platon

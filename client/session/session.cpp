@@ -167,7 +167,7 @@ void Session::toggleVote() {
 
 bool Session::say(const Chat& chat, Time now) {
   if (ending() || !welcome() || !talk_.maySay(now)) return false;
-  dialogue_.send(chat, true);
+  dialogue_.send(LocalChat{0, chat}, true);
   return true;
 }
 

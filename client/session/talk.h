@@ -33,6 +33,7 @@ class Talk {
   void receive(const RoundTrips& message, Time now);
   void receive(const Notice& message, Time now);
   void receive(const PlayerChat& message, Time now);
+  void receive(const LocalSlots&, Time) {}
 
   /// Takes one text or emote from the budget of this client. False when the server would drop it.
   bool maySay(Time now) { return budget_.take(1, now); }

@@ -97,8 +97,8 @@ void Match::handle(ClientId client, MatchPlayer&, const Leave&) { remove(client)
 
 void Match::handle(ClientId, MatchPlayer& player, const Vote& vote) { rounds_.vote(player, vote, now_); }
 
-void Match::handle(ClientId client, MatchPlayer& player, const Chat& chat) {
-  talk_.say(client, player, chat, roster_, now_, output_);
+void Match::handle(ClientId client, MatchPlayer& player, const LocalChat& message) {
+  talk_.say(client, player, message.chat, roster_, now_, output_);
 }
 
 void Match::handle(ClientId client, MatchPlayer& player, const PlayerInputs& inputs) {

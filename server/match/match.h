@@ -135,7 +135,8 @@ class Match {
   void handle(ClientId client, MatchPlayer& player, const LevelRequest& request);
   void handle(ClientId client, MatchPlayer& player, const Leave& leave);
   void handle(ClientId client, MatchPlayer& player, const Vote& vote);
-  void handle(ClientId client, MatchPlayer& player, const Chat& chat);
+  void handle(ClientId client, MatchPlayer& player, const LocalChat& chat);
+  void handle(ClientId, MatchPlayer&, const Companion&) {}
   void handle(ClientId client, MatchPlayer& player, const PlayerInputs& inputs);
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
 

@@ -36,7 +36,7 @@ std::vector<std::uint8_t> withLineBreak(const Message& message) {
 }
 
 TEST(Chat, ATextThatIsNoLabelIsRefusedInBothDirections) {
-  EXPECT_FALSE(decodeToServer(withLineBreak(Chat{"a~b", 0})));
+  EXPECT_FALSE(decodeToServer(withLineBreak(LocalChat{0, {"a~b", 0}})));
   EXPECT_FALSE(decodeToClient(withLineBreak(PlayerChat{1, {"a~b", 0}})));
 }
 

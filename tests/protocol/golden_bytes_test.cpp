@@ -20,7 +20,9 @@ const Hello kHello{kRulesVersion, "Ann"};
 const Notice kNotice{"Restart at noon"};
 const Vote kVote{3, true};
 const VoteCount kVoteCount{3, 2, 5};
-const Chat kChat{"", 2};
+const LocalChat kChat{0, {"", 2}};
+const Companion kCompanion{1, true, "Ben"};
+const LocalSlots kLocalSlots{{3, 5}};
 const PlayerChat kPlayerChat{5, {"Wait!", 0}};
 const RoundTrips kRoundTrips{{11, 0, 1, 255}};
 const RoundEnd kRoundEnd{3, 1800, 0x0123456789abcdef, "Corners", 300, LevelBest{743, "Ann", true}};
@@ -32,6 +34,7 @@ const PlayerInputs kInputs{3,
                            {pressing(2), pressing(2), pressing(6), pressing(0), pressing(0), pressing(0), pressing(0),
                             pressing(0), pressing(0), pressing(0), pressing(0), pressing(0)},
                            18};
+const PlayerInputs kInputsOfTwo{3, 1, 300, 0x89abcdef, 302, {pressing(2), pressing(2)}, 18, {{1, 303, {pressing(1)}}}};
 const ConfirmedTicks kTicks{3,
                             300,
                             8,
@@ -46,7 +49,8 @@ TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
       {"hello", encode(kHello)},           {"vote", encode(kVote)},          {"notice", encode(kNotice)},
       {"vote-count", encode(kVoteCount)},  {"round-end", encode(kRoundEnd)}, {"inputs", encode(kInputs)},
       {"ticks", encode(kTicks)},           {"chat", encode(kChat)},          {"player-chat", encode(kPlayerChat)},
-      {"round-trips", encode(kRoundTrips)}};
+      {"round-trips", encode(kRoundTrips)}, {"companion", encode(kCompanion)}, {"local-slots", encode(kLocalSlots)},
+      {"inputs-of-two", encode(kInputsOfTwo)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << toHex(bytes);
@@ -77,11 +81,14 @@ TEST(GoldenBytes, ThePageHasARowForEveryReliableMessage) {
 TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
   const auto page = documentedBytes();
   for (const char* name : {"inputs", "ticks", "hello", "notice", "vote", "vote-count", "round-end", "chat",
-                           "player-chat", "round-trips"}) {
+                           "player-chat", "round-trips", "companion", "local-slots", "inputs-of-two"}) {
     ASSERT_TRUE(page.contains(name)) << name;
   }
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));
+  EXPECT_EQ(decodeToServer(page.at("inputs-of-two")), ToServer(kInputsOfTwo));
   EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(kHello));
+  EXPECT_EQ(decodeToServer(page.at("companion")), ToServer(kCompanion));
+  EXPECT_EQ(decodeToClient(page.at("local-slots")), ToClient(kLocalSlots));
   EXPECT_EQ(decodeToClient(page.at("notice")), ToClient(kNotice));
   EXPECT_EQ(decodeToServer(page.at("vote")), ToServer(kVote));
   EXPECT_EQ(decodeToServer(page.at("chat")), ToServer(kChat));

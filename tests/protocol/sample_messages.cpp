@@ -11,6 +11,15 @@ PlayerInputs manyInputs() {
   return message;
 }
 
+// Of as many players, and as long, as there can be.
+PlayerInputs manyInputsOfAll() {
+  PlayerInputs message{UINT32_MAX, 255, UINT32_MAX - 600, 0xfedcba98, UINT32_MAX - 300, {}, 255};
+  for (std::uint32_t i = 0; i < kMaxInputsPerMessage; ++i) message.inputs.push_back(pressing(i % 2));
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local)
+    message.companions.push_back({local, UINT32_MAX - 256, message.inputs});
+  return message;
+}
+
 ConfirmedTicks manyChanges() {
   ConfirmedTicks message{
       UINT32_MAX, UINT32_MAX - kMaxTicksPerMessage, kMaxTicksPerMessage, 1, LinkReport{255, 100, SlackReport{0, -1000}},
@@ -37,14 +46,21 @@ std::vector<ToServer> sampleToServer() {
           Vote{},
           Vote{7, true},
           Vote{UINT32_MAX, false},
-          Chat{"Wait for me at the plate", 0},
-          Chat{std::string(kMaxChatBytes, 'x'), 0},
-          Chat{"", kEmotes},
+          LocalChat{0, {"Wait for me at the plate", 0}},
+          LocalChat{0, {std::string(kMaxChatBytes, 'x'), 0}},
+          LocalChat{kMaxLocalPlayers - 1, {"", kEmotes}},
+          Companion{},
+          Companion{kMaxLocalPlayers - 1, true, "Łukasz Żółć 世界 32 bytes"},
+          Companion{2, false},
+          Companion{255, true, "Ann"},
           PlayerInputs{},
           PlayerInputs{1, 0, 0, 0, 0, {pressing(0)}},
           PlayerInputs{1, 2, 300, 0x01020304, 302, {pressing(2), pressing(2), pressing(6), pressing(0)}, 201},
           PlayerInputs{9, 1, UINT32_MAX - 8, 7, UINT32_MAX - 8, std::vector<Input>(8, pressing(8))},
-          manyInputs()};
+          PlayerInputs{1, 0, 5, 0, 7, {pressing(1)}, 0, {{3, 9, {pressing(2), pressing(2)}}}},
+          PlayerInputs{1, 0, 5, 0, 5, {}, 0, {{1, 5, {pressing(0)}}, {2, 1 << 20, std::vector<Input>(256, pressing(1))}}},
+          manyInputs(),
+          manyInputsOfAll()};
 }
 
 std::vector<ToClient> sampleToClient() {
@@ -75,6 +91,9 @@ std::vector<ToClient> sampleToClient() {
           RoundTrips{},
           RoundTrips{{8, 0, 1, 255}},
           RoundTrips{std::vector<std::uint8_t>(kMaxPlayers, 13)},
+          LocalSlots{{0}},
+          LocalSlots{{255, {}, 0, {}}, "the server is full"},
+          LocalSlots{{3, 4, 5, 6}, std::string(kMaxReasonBytes, 'x')},
           Bye{ByeCode::kServerStops, "the server stops"},
           Bye{ByeCode::kServerStops, std::string(kMaxReasonBytes, 'x'), std::string(kMaxNextServerBytes, 'x')},
           Notice{"restart at noon"},

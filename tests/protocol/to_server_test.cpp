@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "protocol/input_code.h"
 #include "tests/protocol/sample_messages.h"
 
 namespace platon::to_server_test {
@@ -82,6 +83,37 @@ TEST(ToServer, RefusesInputsBeyondTheLargestTick) {
   };
   EXPECT_FALSE(refused(3));
   EXPECT_TRUE(refused(4));
+}
+
+// What a companion adds to 00 03 00 01 05 00000007 00 82.
+TEST(ToServer, RefusesCompanionsThatAreNone) {
+  const auto decodes = [](std::vector<std::uint8_t> companions) {
+    std::vector<std::uint8_t> bytes = encode(PlayerInputs{3, 1, 5, 7, 5, {pressing(2), pressing(2)}});
+    bytes.insert(bytes.end(), companions.begin(), companions.end());
+    return decodeToServer(bytes).has_value();
+  };
+  const std::uint8_t one = 1 << 6 | kAbsentCode, two = 2 << 6 | kAbsentCode, none = kAbsentCode, run = 1 << 6;
+  EXPECT_TRUE(decodes({one, 0, run, two, 3, run}));
+  EXPECT_FALSE(decodes({none, 0, run})) << "local number 0";
+  EXPECT_FALSE(decodes({two, 0, run, one, 0, run})) << "falling";
+  EXPECT_FALSE(decodes({one, 0, run, one, 0, run})) << "twice";
+  EXPECT_FALSE(decodes({one, 0})) << "no input";
+  EXPECT_FALSE(decodes({one})) << "no tick";
+  EXPECT_FALSE(decodes({one, 0, two, 0, run})) << "no input of the first";
+  EXPECT_FALSE(decodes({one, 0xff, 0xff, 0xff, 0xff, 0x0f, run})) << "beyond the last tick";
+  EXPECT_FALSE(decodes({one, 0xfa, 0xff, 0xff, 0xff, 0x0f, run})) << "ends beyond it";
+  EXPECT_TRUE(decodes({one, 0xf9, 0xff, 0xff, 0xff, 0x0f, run})) << "the last input that ends in time";
+}
+
+// A companion with a number that is too high is refused with a sentence by the match.
+TEST(ToServer, TheFirstPlayerIsNoCompanion) {
+  std::vector<std::uint8_t> bytes = encode(Companion{200, true, "Ann"});
+  const auto local = std::find(bytes.begin(), bytes.end(), 200);
+  ASSERT_EQ(std::count(bytes.begin(), bytes.end(), 200), 1);
+  ASSERT_TRUE(decodeToServer(bytes));
+  *local = 0;
+  EXPECT_FALSE(decodeToServer(bytes));
+  EXPECT_FALSE(decodeToServer(encode(Companion{1, true, "a\nb"})));
 }
 
 TEST(ToServer, HeldInputsTakeOneRun) {

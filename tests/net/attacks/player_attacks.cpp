@@ -283,7 +283,7 @@ void voteOften(Connection& connection, const Welcome& welcome, Dice& dice) {
 void talk(Connection& connection, const Welcome&, Dice& dice) {
   for (int i = 0; i < 4; ++i) {
     const bool emote = dice.below(4) == 0;
-    connection.send(encode(emote ? Chat{"", 1} : Chat{std::string(kMaxChatBytes, 'x'), 0}), true);
+    connection.send(encode(LocalChat{0, emote ? Chat{"", 1} : Chat{std::string(kMaxChatBytes, 'x'), 0}}), true);
   }
 }
 

@@ -127,7 +127,7 @@ void FakeClient::handle(const ConfirmedTicks& message) {
 
 void FakeClient::vote(std::uint32_t round, bool next) { send(Vote{round, next}, true); }
 
-void FakeClient::say(const Chat& chat) { send(chat, true); }
+void FakeClient::say(const Chat& chat) { send(LocalChat{0, chat}, true); }
 
 void FakeClient::corruptGame() {
   ASSERT_TRUE(game_);

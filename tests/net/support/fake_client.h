@@ -81,6 +81,7 @@ class FakeClient : public VirtualClient {
   void handle(const VoteCount& message) { voteCounts_.push_back(message); }
   void handle(const PlayerChat& message) { chats_.push_back(message); }
   void handle(const RoundTrips&) {}
+  void handle(const LocalSlots&) {}
   void handle(const Bye& message) { bye_ = message; }
   void handle(const Notice& message) { notices_.push_back(message.text); }
   void handle(const ConfirmedTicks& message);

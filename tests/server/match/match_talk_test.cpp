@@ -86,7 +86,7 @@ class MatchChat : public testing::Test {
     match_.takeOutgoing();
     match_.takeEvents();
   }
-  void say(ClientId client, const std::string& text) { match_.receive(client, Chat{text, 0}); }
+  void say(ClientId client, const std::string& text) { match_.receive(client, LocalChat{0, {text, 0}}); }
   void run(std::uint32_t ticks) {
     for (; ticks > 0; --ticks) match_.tick();
   }
@@ -118,7 +118,7 @@ TEST_F(MatchChat, AllPlayersHearATextAlsoTheSpeaker) {
 
 TEST_F(MatchChat, AnEmoteIsPassedOnWithoutAnEvent) {
   join(1, 2);
-  match_.receive(1, Chat{"", 3});
+  match_.receive(1, LocalChat{0, {"", 3}});
   EXPECT_EQ(heardBy(2), (std::vector<PlayerChat>{{0, {"", 3}}}));
   EXPECT_TRUE(match_.takeEvents().empty());
 }
@@ -224,7 +224,7 @@ TEST_F(MatchChat, AMutedPlayerIsNotHeard) {
   join(1, 2);
   match_.mute(0, true);
   say(1, "a");
-  match_.receive(1, Chat{"", 1});
+  match_.receive(1, LocalChat{0, {"", 1}});
   EXPECT_TRUE(heardBy(2).empty());
   EXPECT_TRUE(match_.takeEvents().empty());
   match_.mute(0, false);
