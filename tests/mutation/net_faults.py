@@ -20,7 +20,7 @@ PROTOCOL_FAULTS = [
               "several runs together may hold more inputs than a message may have",
               "HostileBytes.NeverDecodeToAnInvalidMessageToTheServer"),
     at_length("inputs-past-the-last-tick", PROTOCOL + "to_server.cpp",
-              "  if (end > UINT32_MAX) return std::nullopt;\n", "",
+              "return std::uint64_t{first} + inputs.size() <= UINT32_MAX;", "return first + inputs.size() > 0;",
               "inputs for ticks beyond 32 bits are accepted",
               "ToServer.RefusesInputsBeyondTheLargestTick"),
     at_length("token-of-any-length", PROTOCOL + "session_token.h",

@@ -45,12 +45,19 @@ const ConfirmedTicks kTicks{3,
 
 TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
   const auto page = documentedBytes();
-  const std::pair<const char*, Bytes> sent[] = {
-      {"hello", encode(kHello)},           {"vote", encode(kVote)},          {"notice", encode(kNotice)},
-      {"vote-count", encode(kVoteCount)},  {"round-end", encode(kRoundEnd)}, {"inputs", encode(kInputs)},
-      {"ticks", encode(kTicks)},           {"chat", encode(kChat)},          {"player-chat", encode(kPlayerChat)},
-      {"round-trips", encode(kRoundTrips)}, {"companion", encode(kCompanion)}, {"local-slots", encode(kLocalSlots)},
-      {"inputs-of-two", encode(kInputsOfTwo)}};
+  const std::pair<const char*, Bytes> sent[] = {{"hello", encode(kHello)},
+                                                {"vote", encode(kVote)},
+                                                {"notice", encode(kNotice)},
+                                                {"vote-count", encode(kVoteCount)},
+                                                {"round-end", encode(kRoundEnd)},
+                                                {"inputs", encode(kInputs)},
+                                                {"ticks", encode(kTicks)},
+                                                {"chat", encode(kChat)},
+                                                {"player-chat", encode(kPlayerChat)},
+                                                {"round-trips", encode(kRoundTrips)},
+                                                {"companion", encode(kCompanion)},
+                                                {"local-slots", encode(kLocalSlots)},
+                                                {"inputs-of-two", encode(kInputsOfTwo)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << toHex(bytes);

@@ -26,7 +26,7 @@ class SessionChat : public testing::Test {
     for (const OutgoingMessage& message : session_.takeOutgoing()) {
       EXPECT_TRUE(message.reliable);
       const auto decoded = decodeToServer(message.bytes);
-      if (decoded && std::holds_alternative<Chat>(*decoded)) found.push_back(std::get<Chat>(*decoded));
+      if (decoded && std::holds_alternative<LocalChat>(*decoded)) found.push_back(std::get<LocalChat>(*decoded).chat);
     }
     return found;
   }
