@@ -296,12 +296,12 @@ void BanStore::save(UtcTime now) {
 }
 
 std::size_t enforceBans(Match& match, const BanList& bans, UtcTime now) {
-  std::size_t removed = 0;
+  const std::size_t before = match.allPlayers();
   for (const PlayerStatus& player : match.playerStatus()) {
-    const Ban* ban = bans.find(player.address, now);
-    if (ban && match.kick(player.slot, refusalOf(*ban))) ++removed;
+    if (player.companionOf) continue;  // goes with the first player of its connection
+    if (const Ban* ban = bans.find(player.address, now)) match.kick(player.slot, refusalOf(*ban));
   }
-  return removed;
+  return before - match.allPlayers();
 }
 
 }  // namespace platon

@@ -230,7 +230,8 @@ std::string described(const PlayerStatus& player) {
 std::string lineOf(const PlayerStatus& player) {
   const bool isLocal = player.address.isLoopback();
   return numberOf(player.slot) + "  " + (isLocal ? "this machine" : player.address.text()) + "  \"" + player.name +
-         "\"" + (player.client ? ", missed inputs: " + std::to_string(player.missedInputs) : ", disconnected") +
+         "\"" + (player.companionOf ? ", with player " + numberOf(*player.companionOf) : "") +
+         (player.client ? ", missed inputs: " + std::to_string(player.missedInputs) : ", disconnected") +
          (player.muted ? ", muted" : "");
 }
 
@@ -292,10 +293,12 @@ ConsoleReply Console::run(const KickCommand& command, UtcTime) const {
   auto found = find(command.player);
   if (auto* error = std::get_if<ParseError>(&found)) return failed(std::move(*error));
   const auto& player = std::get<PlayerStatus>(found);
+  const std::size_t before = match_.allPlayers();
   match_.kick(player.slot, command.reason.empty()
                                ? "you were removed by the operator of the server"
                                : "you were removed by the operator of the server: " + command.reason);
-  return {true, "removed " + described(player)};
+  const std::size_t others = before - match_.allPlayers() - 1;
+  return {true, "removed " + described(player) + (others > 0 ? ", and " + counted(others, "companion") : "")};
 }
 
 std::variant<AddressRange, ParseError> Console::rangeOf(const PlayerWord& word) const {

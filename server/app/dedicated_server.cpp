@@ -71,6 +71,8 @@ void write(Log& log, const MatchEvent& event) {
       return log.info("connection lost", {client, slot, {"name", event.text}});
     case Kind::kResumed:
       return log.info("resumed", {client, slot, {"name", event.text}});
+    case Kind::kRenamed:
+      return log.info("renamed", {client, slot, {"name", event.text}});
     case Kind::kLeft:
       return log.info("left", {client, slot, {"name", event.text}});
     case Kind::kDesync:
@@ -204,7 +206,7 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   match_.receive(event.client, *message, address);
   const bool isPlaying = match_.isPlaying(event.client);
   if (isPlaying) host_.admit(event.client);
-  if (wasPlaying && !isPlaying) host_.close(event.client, timeOf(now));  // a connection serves one player only
+  if (wasPlaying && !isPlaying) host_.close(event.client, timeOf(now));  // a connection serves one stay only
 }
 
 void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now) {

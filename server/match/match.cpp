@@ -38,12 +38,12 @@ void Match::tick() {
 
 void Match::receive(ClientId client, const ToServer& message, const IpAddress& address) {
   if (const Hello* hello = std::get_if<Hello>(&message)) return receiveHello(client, *hello, address);
-  MatchPlayer* const player = roster_.find(client);
-  if (player == nullptr) return;
-  std::visit([this, client, player](const auto& body) { handle(client, *player, body); }, message);
+  MatchClient* const known = roster_.find(client);
+  if (known == nullptr) return;
+  std::visit([this, client, known](const auto& body) { handle(client, *known, body); }, message);
 }
 
-// Two connections with the same token would resume the player from each other many times in one tick, if a connection
+// Two connections with the same token would resume the players from each other many times in one tick, if a connection
 // that closes could join again.
 void Match::receiveHello(ClientId client, const Hello& hello, const IpAddress& address) {
   if (isPlaying(client) || output_.isClosing(client)) return;
@@ -54,29 +54,35 @@ void Match::receiveHello(ClientId client, const Hello& hello, const IpAddress& a
   }
   const auto& seat = std::get<MatchRoster::Seat>(admitted);
   if (!seat.isResumed) rounds_.awaitPlayer(roster_, output_);
-  MatchPlayer& player = roster_.seat(client, seat, hello, address, now_, output_);
-  if (!seat.isResumed) player.inputs().startRound(rounds_.played().ticks());
-  welcome(client, player, hello);
+  MatchClient& seated = roster_.seat(client, seat, hello, address, now_, output_);
+  if (!seat.isResumed) seated.first().startRound(rounds_.played().ticks());
+  welcome(client, seated, hello);
 }
 
 std::variant<MatchRoster::Seat, Refused> Match::admit(const Hello& hello, const IpAddress& address) {
   if (hello.rulesVersion != kRulesVersion) {
     return Refused{RefusalCode::kWrongRules, otherVersionText("rules", kRulesVersion, hello.rulesVersion)};
   }
-  const std::optional<MatchDrain>& drain = rounds_.draining();
-  const std::optional<Refused> closed = drain ? std::optional(drain->refusal) : std::nullopt;
-  return roster_.admit(hello, address.household(), closed, rounds_.played().history().held(), output_);
+  return roster_.admit(hello, address.household(), closed(), rounds_.played().history().held(), output_);
 }
 
-// Sends all that a client needs to play: Welcome, level text, state; with the next tick, the names.
-void Match::welcome(ClientId client, MatchPlayer& player, const Hello& hello) {
+// Why nobody may join; nothing: players may.
+std::optional<Refused> Match::closed() const {
+  const std::optional<MatchDrain>& drain = rounds_.draining();
+  return drain ? std::optional(drain->refusal) : std::nullopt;
+}
+
+// Sends all that a client needs to play: Welcome, the slots of its companions, level text, state; with the next tick,
+// the names.
+void Match::welcome(ClientId id, MatchClient& client, const Hello& hello) {
   const LevelPointer& level = rounds_.level();
-  output_.send(client, encode(Welcome{player.slot(), round(), level->hash, settings_.maxPlayers, kTicksPerSecond,
-                                      settings_.serverName}));
+  output_.send(id, encode(Welcome{client.first().slot(), round(), level->hash, settings_.maxPlayers, kTicksPerSecond,
+                                  settings_.serverName}));
+  if (client.players().size() > 1) output_.send(id, encode(LocalSlots{client.slots()}));
   const bool knowsLevel = std::find(hello.levels.begin(), hello.levels.end(), level->hash) != hello.levels.end();
-  if (!knowsLevel) transfers_.sendLevel(player, level);
-  if (rounds_.played().ticks() > 0) transfers_.sendState(player, rounds_.played(), now_);
-  if (const std::optional<RoundEnd> end = rounds_.roundEnd(roster_)) output_.send(client, encode(*end));
+  if (!knowsLevel) transfers_.sendLevel(client, level);
+  if (rounds_.played().ticks() > 0) transfers_.sendState(client, rounds_.played(), now_);
+  if (const std::optional<RoundEnd> end = rounds_.roundEnd(roster_)) output_.send(id, encode(*end));
 }
 
 // What clients are told that have joined or resumed since the last tick.
@@ -89,38 +95,74 @@ void Match::greetNewcomers() {
   }
 }
 
-void Match::handle(ClientId, MatchPlayer& player, const LevelRequest& request) {
-  if (const LevelPointer level = rounds_.findLevel(request.hash)) transfers_.sendLevel(player, level);
+void Match::handle(ClientId, MatchClient& client, const LevelRequest& request) {
+  if (const LevelPointer level = rounds_.findLevel(request.hash)) transfers_.sendLevel(client, level);
 }
 
-void Match::handle(ClientId client, MatchPlayer&, const Leave&) { remove(client); }
+void Match::handle(ClientId id, MatchClient&, const Leave&) { remove(id); }
 
-void Match::handle(ClientId, MatchPlayer& player, const Vote& vote) { rounds_.vote(player, vote, now_); }
+void Match::handle(ClientId, MatchClient& client, const Vote& vote) { rounds_.vote(client, vote, now_); }
 
-void Match::handle(ClientId client, MatchPlayer& player, const LocalChat& message) {
-  talk_.say(client, player, message.chat, roster_, now_, output_);
+void Match::handle(ClientId id, MatchClient& client, const LocalChat& chat) {
+  talk_.say(id, client, chat, roster_, now_, output_);
 }
 
-void Match::handle(ClientId client, MatchPlayer& player, const PlayerInputs& inputs) {
-  player.inputs().countMessage(inputs.sequence);
+// A companion that plays may always leave: it can do so no more often than it has joined.
+void Match::handle(ClientId id, MatchClient& client, const Companion& companion) {
+  const bool ends = !companion.joins && client.player(companion.local) != nullptr;
+  std::string fault;
+  if (ends || client.mayChangeCompanion(now_))
+    fault = changeCompanion(id, client, companion);
+  else if (client.shouldTellExcess(now_))
+    fault = "players join here too often: wait two seconds";
+  else
+    return;
+  output_.send(id, encode(LocalSlots{client.slots(), fault}));
+}
+
+// Returns why it cannot be; empty: it is done.
+std::string Match::changeCompanion(ClientId id, MatchClient& client, const Companion& companion) {
+  if (companion.local >= kMaxLocalPlayers) {
+    return "a connection may have at most " + std::to_string(kMaxLocalPlayers) + " players";
+  }
+  const bool plays = client.player(companion.local) != nullptr;
+  if (companion.joins && !plays) return addCompanion(id, client, companion);
+  if (companion.joins)
+    roster_.renameCompanion(id, companion, output_);
+  else
+    roster_.removeCompanion(id, companion.local, output_);
+  return {};
+}
+
+std::string Match::addCompanion(ClientId id, const MatchClient& client, const Companion& companion) {
+  const auto admitted = roster_.admitCompanion(client, closed(), rounds_.played().history().held());
+  if (const std::string* fault = std::get_if<std::string>(&admitted)) return *fault;
+  rounds_.awaitPlayer(roster_, output_);
+  const std::uint32_t slot = std::get<std::uint32_t>(admitted);
+  roster_.seatCompanion(id, slot, companion, now_, output_).startRound(rounds_.played().ticks());
+  return {};
+}
+
+void Match::handle(ClientId id, MatchClient& client, const PlayerInputs& inputs) {
+  client.arrival().count(inputs.sequence);
   if (inputs.round != round()) return;
   const TickHistory& history = rounds_.played().history();
-  roster_.countMissed(player.addInputs(inputs, history.end(), now_));
-  if (!player.isCurrent(inputs)) return;
+  roster_.countMissed(client.addInputs(inputs, history.end(), now_));
+  if (!client.isCurrent(inputs)) return;
   const bool ahead = inputs.confirmed > history.end();
   if (!ahead && !history.covers(inputs.confirmed)) {
-    return resync(client, player, MatchEvent::Kind::kResync, inputs.confirmed);
+    return resync(id, client, MatchEvent::Kind::kResync, inputs.confirmed);
   }
   if (ahead || inputs.hash != history.hashAfter(inputs.confirmed)) {
-    return resync(client, player, MatchEvent::Kind::kDesync, inputs.confirmed);
+    return resync(id, client, MatchEvent::Kind::kDesync, inputs.confirmed);
   }
-  player.ticks().acknowledge(inputs.confirmed);
+  client.ticks().acknowledge(inputs.confirmed);
 }
 
-void Match::resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed) {
-  if (!player.transfers().maySendState(now_)) return;
-  transfers_.sendState(player, rounds_.played(), now_);
-  output_.add(cause, client, player.slot(),
+void Match::resync(ClientId id, MatchClient& client, MatchEvent::Kind cause, std::uint32_t confirmed) {
+  if (!client.transfers().maySendState(now_)) return;
+  transfers_.sendState(client, rounds_.played(), now_);
+  output_.add(cause, id, client.first().slot(),
               "round " + std::to_string(round()) + " tick " + std::to_string(confirmed) + ", state of tick " +
                   std::to_string(rounds_.played().ticks()));
 }

@@ -15,8 +15,8 @@
 #include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
 #include "server/match/level_rotation.h"
+#include "server/match/match_client.h"
 #include "server/match/match_output.h"
-#include "server/match/match_player.h"
 #include "server/match/match_settings.h"
 #include "server/match/match_talk.h"
 #include "server/match/played_round.h"
@@ -33,7 +33,7 @@ struct MatchProgram {
   /// How many reliable messages a client can be sent in this tick; empty: any number. Chunks of levels and states wait
   /// for a client that does not keep up.
   std::function<std::size_t(ClientId)> room{};
-  /// The round trip to a client, milliseconds; empty: it is unknown, and clients are told none. A player who is alone
+  /// The round trip to a client, milliseconds; empty: it is unknown, and clients are told none. A client that is alone
   /// is told none.
   std::function<std::uint32_t(ClientId)> roundTrip{};
   /// Keeps the best times of the levels; it must outlive the match. Null: there are none.
@@ -48,17 +48,17 @@ class Match {
   Match(LevelRotation rotation, MatchSettings settings, MatchProgram program = {});
 
   /// Handles a message from a client that is at this address; its first message must be Hello. The origin of a player
-  /// is the household of its address. When an origin has more players than allowed, its player that has been
-  /// disconnected longest is removed; when all of them are connected, the client is refused, also when it wishes to
-  /// resume. Origin 0 has no limit of players.
+  /// is the household of its address. When an origin has more players than allowed, those of its client that has been
+  /// disconnected longest are removed; when all of them are connected, the client is refused, also when it wishes to
+  /// resume, and so are companions. Origin 0 has no limit of players.
   void receive(ClientId client, const ToServer& message, const IpAddress& address = IpAddress::ofIpv4({127, 0, 0, 1}));
-  /// Moves the player of a client, if it has one, to another address. Returns false, and moves nothing, if all players
-  /// that the origin there may have are connected.
+  /// Moves a client, if it plays, with its players to another address. Returns false, and moves nothing, if the origin
+  /// there has no room for them besides the players that are connected.
   bool move(ClientId client, const IpAddress& address) { return roster_.move(client, address, output_); }
-  /// Call when the connection of a client was lost. A player with a token stays until a client resumes it or
-  /// MatchRoster::kResumeTicks have passed; its buttons are held for one second and then released.
+  /// Call when the connection of a client was lost. The players of one with a token stay until another client resumes
+  /// them or MatchRoster::kResumeTicks have passed; their buttons are held for one second and then released.
   void disconnect(ClientId client) { roster_.disconnect(client, now_, output_); }
-  /// Removes the player of a client at once.
+  /// Removes the players of a client at once.
   void remove(ClientId client) { roster_.remove(client, output_); }
   /// Decides the inputs of one tick and advances the game. Without any player the game is paused.
   void tick();
@@ -74,13 +74,14 @@ class Match {
   void countTimes(bool count) { rounds_.countTimes(count); }
   /// Says in which slot the player is whose times MatchSettings::keepsTimesOfOne keeps.
   void keepTimesOf(std::uint32_t slot) { rounds_.keepTimesOf(slot); }
-  /// Whether the match has one player, whom its rounds wait for: they have no time limit.
+  /// Whether one client at most plays, for whose players the rounds wait: they have no time limit.
   bool waits() const { return rounds_.waits(roster_); }
   /// `name`: a label; invisible characters are left out.
   void setServerName(std::string_view name);
 
   /// Removes the player of a slot, connected or not, and tells its client the reason, a label of at most
-  /// kMaxReasonBytes. Returns false if the slot has no player.
+  /// kMaxReasonBytes. The first player of a client goes with its companions, and its connection ends; a companion goes
+  /// alone, and its client may have no further one, also after it resumes. Returns false if the slot has no player.
   bool kick(std::uint32_t slot, const std::string& reason);
   /// Shows a player to everybody as "Player N" instead of by its name and passes on nothing that it says, also after it
   /// resumes; or takes that back.
@@ -114,10 +115,10 @@ class Match {
   /// Number of players, disconnected ones included.
   std::size_t allPlayers() const { return roster_.size(); }
   /// Number of connected players.
-  std::size_t players() const { return roster_.connected().size(); }
-  bool isPlaying(ClientId client) const { return player(client) != nullptr; }
-  /// The player of a client; null if it has none.
-  const MatchPlayer* player(ClientId client) const { return roster_.find(client); }
+  std::size_t players() const { return roster_.players(); }
+  bool isPlaying(ClientId client) const { return find(client) != nullptr; }
+  /// A connected client with its players; null if it does not play.
+  const MatchClient* find(ClientId client) const { return roster_.find(client); }
   /// All players, by slot, with the disconnected ones.
   std::vector<PlayerStatus> playerStatus() const { return roster_.status(); }
   const MatchSettings& settings() const { return settings_; }
@@ -129,16 +130,19 @@ class Match {
  private:
   void receiveHello(ClientId client, const Hello& hello, const IpAddress& address);
   std::variant<MatchRoster::Seat, Refused> admit(const Hello& hello, const IpAddress& address);
-  void welcome(ClientId client, MatchPlayer& player, const Hello& hello);
+  std::optional<Refused> closed() const;
+  void welcome(ClientId id, MatchClient& client, const Hello& hello);
   void greetNewcomers();
-  void handle(ClientId, MatchPlayer&, const Hello&) {}  // only the first one counts
-  void handle(ClientId client, MatchPlayer& player, const LevelRequest& request);
-  void handle(ClientId client, MatchPlayer& player, const Leave& leave);
-  void handle(ClientId client, MatchPlayer& player, const Vote& vote);
-  void handle(ClientId client, MatchPlayer& player, const LocalChat& chat);
-  void handle(ClientId, MatchPlayer&, const Companion&) {}
-  void handle(ClientId client, MatchPlayer& player, const PlayerInputs& inputs);
-  void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
+  void handle(ClientId, MatchClient&, const Hello&) {}  // only the first one counts
+  void handle(ClientId id, MatchClient& client, const LevelRequest& request);
+  void handle(ClientId id, MatchClient& client, const Leave& leave);
+  void handle(ClientId id, MatchClient& client, const Vote& vote);
+  void handle(ClientId id, MatchClient& client, const LocalChat& chat);
+  void handle(ClientId id, MatchClient& client, const Companion& companion);
+  std::string changeCompanion(ClientId id, MatchClient& client, const Companion& companion);
+  std::string addCompanion(ClientId id, const MatchClient& client, const Companion& companion);
+  void handle(ClientId id, MatchClient& client, const PlayerInputs& inputs);
+  void resync(ClientId id, MatchClient& client, MatchEvent::Kind cause, std::uint32_t confirmed);
 
   MatchSettings settings_;
   MatchProgram program_;

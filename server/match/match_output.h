@@ -46,6 +46,7 @@ struct MatchEvent {
     kRefused,         ///< text: the reason
     kConnectionLost,  ///< the player can be resumed; text: its name
     kResumed,         ///< text: the player's name
+    kRenamed,         ///< a companion; text: the player's new name
     kLeft,            ///< text: the player's name
     kDesync,          ///< the client's game differs; text: round, tick of the client's hash, tick of the state sent
     kResync,          ///< the client lacked ticks that can no longer be repeated; text: as for kDesync

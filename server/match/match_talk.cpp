@@ -7,14 +7,15 @@
 namespace platon {
 
 // Who is muted is not heard. The speaker, too, gets its text from the server, and so sees what was not passed on.
-void MatchTalk::say(ClientId client, MatchPlayer& speaker, const Chat& chat, const MatchRoster& roster,
+void MatchTalk::say(ClientId id, MatchClient& client, const LocalChat& message, const MatchRoster& roster,
                     std::uint64_t now, MatchOutput& output) {
-  if (!enabled_) return;
-  const Chat said{visibleLabel(chat.text), chat.emote};
-  if (!isChat(said) || roster.names().isMuted(speaker.slot())) return;
-  if (!speaker.mayChat(now) || !mayChat(speaker.address(), now)) return;
-  roster.sendAll(encode(PlayerChat{speaker.slot(), said}), output);
-  if (said.emote == 0) output.add(MatchEvent::Kind::kChat, client, speaker.slot(), said.text);
+  MatchPlayer* const speaker = client.player(message.local);
+  if (!enabled_ || speaker == nullptr) return;
+  const Chat said{visibleLabel(message.chat.text), message.chat.emote};
+  if (!isChat(said) || roster.names().isMuted(speaker->slot())) return;
+  if (!speaker->mayChat(now) || !mayChat(client.address(), now)) return;
+  roster.sendAll(encode(PlayerChat{speaker->slot(), said}), output);
+  if (said.emote == 0) output.add(MatchEvent::Kind::kChat, id, speaker->slot(), said.text);
 }
 
 // An owner of many households, as every connection to the internet by IPv6 has them, must not send everybody texts

@@ -1,21 +1,20 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 
 #include "platon/game/game.h"
 #include "protocol/chat.h"
-#include "protocol/time.h"
-#include "protocol/token_bucket.h"
+#include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
 #include "server/match/match_output.h"
+#include "server/match/tick_budget.h"
 
 namespace platon {
 
-class MatchPlayer;
+class MatchClient;
 class MatchRoster;
 
 /// How much may be said in a match, in ticks of the match.
@@ -28,13 +27,12 @@ class ChatBudget {
   static ChatBudget ofPlayers(std::uint32_t players) { return ChatBudget(players); }
 
   /// Whether one more may be said at tick `now` of the match, which never decreases; it counts then.
-  bool take(std::uint64_t now) { return bucket_.take(1, timeOf(now)); }
+  bool take(std::uint64_t now) { return budget_.take(now); }
 
  private:
-  explicit ChatBudget(double players) : bucket_(players * kChatsPerSecond, players * kChatBurst, Time(0)) {}
-  static Time timeOf(std::uint64_t tick) { return std::chrono::microseconds(tick * 1'000'000 / kTicksPerSecond); }
+  explicit ChatBudget(double players) : budget_(players * kChatsPerSecond, players * kChatBurst) {}
 
-  TokenBucket bucket_;
+  TickBudget budget_;
 };
 
 /// What each network, a household or a site, may say in a match: as much as its players may together, also if they
@@ -75,8 +73,9 @@ class MatchTalk {
   MatchTalk(bool enabled, std::uint32_t playersPerHousehold)
       : enabled_(enabled), households_(playersPerHousehold), sites_(NetworkChat::kMaxSpeakers) {}
 
-  /// The player of a client says something at tick `now` of the match.
-  void say(ClientId client, MatchPlayer& speaker, const Chat& chat, const MatchRoster& roster, std::uint64_t now,
+  /// A player of a client, which has this number, says something at tick `now` of the match. No effect if the client
+  /// has no player with the local number of the message.
+  void say(ClientId id, MatchClient& client, const LocalChat& message, const MatchRoster& roster, std::uint64_t now,
            MatchOutput& output);
 
  private:

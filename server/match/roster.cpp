@@ -105,41 +105,49 @@ std::vector<SharedBytes> PlayerNames::takeChanges() {
 std::variant<MatchRoster::Seat, Refused> MatchRoster::admit(const Hello& hello, std::uint64_t origin,
                                                             const std::optional<Refused>& closed,
                                                             const std::vector<Input>& held, MatchOutput& output) {
-  const MatchPlayer* const known = hello.token ? playerWith(*hello.token) : nullptr;
+  const MatchClient* const known = hello.token ? clientWith(*hello.token) : nullptr;
   if (known == nullptr && closed) return *closed;
-  if (isFull(origin, known)) return refuseOrigin();
-  if (known != nullptr) return Seat{known->slot(), true};
+  const std::size_t arriving = known ? known->players().size() : 1;
+  if (isFull(origin, arriving, known)) return refuseOrigin(arriving);
+  if (known != nullptr) return Seat{known->first().slot(), true};
   evictDisconnected(origin, 1, output);
   if (const std::optional<std::uint32_t> slot = freeSlot(held)) return Seat{*slot, false};
   return refuseFull();
 }
 
-// Also finds a player that still counts as connected: its client may reconnect before the server detects the loss.
-const MatchPlayer* MatchRoster::playerWith(const SessionToken& token) const {
+// Also finds a client that still counts as connected: it may reconnect before the server detects the loss.
+const MatchClient* MatchRoster::clientWith(const SessionToken& token) const {
   for (const Disconnected& entry : disconnected_) {
-    if (entry.player.hasToken(token)) return &entry.player;
+    if (entry.client.hasToken(token)) return &entry.client;
   }
-  for (const auto& [client, player] : connected_) {
-    if (player.hasToken(token)) return &player;
+  for (const auto& [id, client] : connected_) {
+    if (client.hasToken(token)) return &client;
   }
   return nullptr;
 }
 
-// Whether an origin has no room for another player, or for this one, which may be there already.
-bool MatchRoster::isFull(std::uint64_t origin, const MatchPlayer* arriving) const {
-  return connectedOf(origin, arriving) >= playersPerOrigin_;
+// Whether an origin has no room for so many more players, or for those of a client that may be there already. This
+// machine has room for any number.
+bool MatchRoster::isFull(std::uint64_t origin, std::size_t arriving, const MatchClient* known) const {
+  return origin != 0 && connectedOf(origin, known) + arriving > playersPerOrigin_;
 }
 
-std::int64_t MatchRoster::connectedOf(std::uint64_t origin, const MatchPlayer* except) const {
-  if (origin == 0) return 0;
-  return std::count_if(connected_.begin(), connected_.end(), [origin, except](const auto& entry) {
-    return entry.second.origin() == origin && &entry.second != except;
-  });
+// Number of connected players there.
+std::size_t MatchRoster::connectedOf(std::uint64_t origin, const MatchClient* except) const {
+  std::size_t players = 0;
+  for (const auto& [id, client] : connected_) {
+    if (client.origin() == origin && &client != except) players += client.players().size();
+  }
+  return players;
 }
 
-Refused MatchRoster::refuseOrigin() const {
-  return {RefusalCode::kFull, "your address already has " + std::to_string(playersPerOrigin_) +
-                                  " players, which is all that this server allows"};
+Refused MatchRoster::refuseOrigin(std::size_t arriving) const {
+  const std::string limit = std::to_string(playersPerOrigin_);
+  if (arriving == 1) {
+    return {RefusalCode::kFull, "your address already has " + limit + " players, which is all that this server allows"};
+  }
+  return {RefusalCode::kFull, "your address has no room for your " + std::to_string(arriving) +
+                                  " players: this server allows " + limit + " there"};
 }
 
 Refused MatchRoster::refuseFull() const {
@@ -156,33 +164,35 @@ std::optional<std::uint32_t> MatchRoster::freeSlot(const std::vector<Input>& hel
   return std::nullopt;
 }
 
-MatchPlayer& MatchRoster::seat(ClientId client, const Seat& seat, const Hello& hello, const IpAddress& address,
+MatchClient& MatchRoster::seat(ClientId id, const Seat& seat, const Hello& hello, const IpAddress& address,
                                std::uint64_t now, MatchOutput& output) {
   if (seat.isResumed) {
-    resume(client, seat.slot, hello.name, output);
+    resume(id, seat.slot, hello.name, output);
   } else {
-    connected_.emplace(client, MatchPlayer(seat.slot, names_.claim(seat.slot, hello.name), hello.token, now));
+    connected_.emplace(id, MatchClient(hello.token, {seat.slot, names_.claim(seat.slot, hello.name), now}));
   }
-  MatchPlayer& player = *find(client);
-  player.setAddress(address);
-  newcomers_.push_back(client);
-  output.add(seat.isResumed ? MatchEvent::Kind::kResumed : MatchEvent::Kind::kJoined, client, seat.slot, player.name());
-  evictDisconnected(player.origin(), 0, output);
-  return player;
+  MatchClient& client = *find(id);
+  client.setAddress(address);
+  newcomers_.push_back(id);
+  const auto kind = seat.isResumed ? MatchEvent::Kind::kResumed : MatchEvent::Kind::kJoined;
+  for (const auto& [local, player] : client.players()) output.add(kind, id, player.slot(), player.name());
+  evictDisconnected(client.origin(), 0, output);
+  return client;
 }
 
-void MatchRoster::resume(ClientId client, std::uint32_t slot, const std::string& name, MatchOutput& output) {
-  MatchPlayer& player = connected_.emplace(client, extract(slot, output)).first->second;
-  player.resume(names_.rename(slot, name));
+void MatchRoster::resume(ClientId id, std::uint32_t slot, const std::string& name, MatchOutput& output) {
+  MatchClient& client = connected_.emplace(id, extract(slot, output)).first->second;
+  client.resume();
+  client.first().rename(names_.rename(slot, name));
 }
 
-// Takes a player from its client, or from the disconnected ones.
-MatchPlayer MatchRoster::extract(std::uint32_t slot, MatchOutput& output) {
+// Takes a client from its connection, or from the disconnected ones.
+MatchClient MatchRoster::extract(std::uint32_t slot, MatchOutput& output) {
   const auto entry = disconnectedIn(slot);
   if (entry != disconnected_.end()) {
-    MatchPlayer player = std::move(entry->player);
+    MatchClient client = std::move(entry->client);
     disconnected_.erase(entry);
-    return player;
+    return client;
   }
   const auto connected = connectedIn(slot);
   const Bye bye{ByeCode::kRemoved, "your player was resumed over another connection"};
@@ -190,69 +200,125 @@ MatchPlayer MatchRoster::extract(std::uint32_t slot, MatchOutput& output) {
   return std::move(connected_.extract(connected).mapped());
 }
 
-// Removes disconnected players of an origin until it has room for `wanted` more. Without this limit a client that drops
-// one connection after another could occupy all slots.
-void MatchRoster::evictDisconnected(std::uint64_t origin, std::uint32_t wanted, MatchOutput& output) {
+// The rules of newcomers hold for companions. Nobody makes room for one that finds no slot.
+std::variant<std::uint32_t, std::string> MatchRoster::admitCompanion(const MatchClient& client,
+                                                                     const std::optional<Refused>& closed,
+                                                                     const std::vector<Input>& held) const {
+  if (!client.mayAddCompanions()) {
+    return "a player was removed from your connection, so nobody else can join over it: leave and join again";
+  }
+  if (closed) return closed->reason;
+  if (isFull(client.origin(), 1, nullptr)) return refuseOrigin(1).reason;
+  if (const std::optional<std::uint32_t> slot = freeSlot(held)) return *slot;
+  return refuseFull().reason;
+}
+
+MatchPlayer& MatchRoster::seatCompanion(ClientId id, std::uint32_t slot, const Companion& companion, std::uint64_t now,
+                                        MatchOutput& output) {
+  MatchClient& client = *find(id);
+  const std::string& name = names_.claim(slot, companion.name);
+  MatchPlayer& player = client.players().emplace(companion.local, MatchPlayer(slot, name, now)).first->second;
+  output.add(MatchEvent::Kind::kJoined, id, slot, name);
+  evictDisconnected(client.origin(), 0, output);
+  return player;
+}
+
+void MatchRoster::renameCompanion(ClientId id, const Companion& companion, MatchOutput& output) {
+  MatchPlayer& player = *find(id)->player(companion.local);
+  const std::string before = player.name();
+  player.rename(names_.rename(player.slot(), companion.name));
+  if (player.name() != before) output.add(MatchEvent::Kind::kRenamed, id, player.slot(), player.name());
+}
+
+void MatchRoster::removeCompanion(ClientId id, std::uint32_t local, MatchOutput& output) {
+  MatchClient& client = *find(id);
+  if (client.player(local) != nullptr) removePlayer(id, client, local, output);
+}
+
+void MatchRoster::removePlayer(ClientId id, MatchClient& client, std::uint32_t local, MatchOutput& output) {
+  left(*client.player(local), id, output);
+  client.players().erase(local);
+}
+
+// Removes disconnected clients of an origin until it has room for `wanted` more players. Without this limit a client
+// that drops one connection after another could occupy all slots.
+void MatchRoster::evictDisconnected(std::uint64_t origin, std::size_t wanted, MatchOutput& output) {
   if (origin == 0) return;
-  const auto isOfOrigin = [origin](const Disconnected& entry) { return entry.player.origin() == origin; };
-  auto count = wanted + std::count_if(disconnected_.begin(), disconnected_.end(), isOfOrigin);
-  count += connectedOf(origin);
-  for (; count > playersPerOrigin_; --count) {
+  const auto isOfOrigin = [origin](const Disconnected& entry) { return entry.client.origin() == origin; };
+  std::size_t count = wanted + connectedOf(origin);
+  for (const Disconnected& entry : disconnected_) count += isOfOrigin(entry) ? entry.client.players().size() : 0;
+  while (count > playersPerOrigin_) {
     const auto longest = std::find_if(disconnected_.begin(), disconnected_.end(), isOfOrigin);
     if (longest == disconnected_.end()) return;
+    count -= longest->client.players().size();
     removeDisconnected(longest, output);
   }
 }
 
-bool MatchRoster::move(ClientId client, const IpAddress& address, MatchOutput& output) {
-  MatchPlayer* const player = find(client);
-  if (player == nullptr) return true;
+bool MatchRoster::move(ClientId id, const IpAddress& address, MatchOutput& output) {
+  MatchClient* const client = find(id);
+  if (client == nullptr) return true;
   const std::uint64_t origin = address.household();
-  if (isFull(origin, player)) return false;
-  player->setAddress(address);
+  if (isFull(origin, client->players().size(), client)) return false;
+  client->setAddress(address);
   evictDisconnected(origin, 0, output);
   return true;
 }
 
-void MatchRoster::disconnect(ClientId client, std::uint64_t now, MatchOutput& output) {
-  const auto found = connected_.find(client);
+void MatchRoster::disconnect(ClientId id, std::uint64_t now, MatchOutput& output) {
+  const auto found = connected_.find(id);
   if (found == connected_.end()) return;
-  if (!found->second.canResume()) return remove(client, output);
-  output.add(MatchEvent::Kind::kConnectionLost, client, found->second.slot(), found->second.name());
+  if (!found->second.canResume()) return remove(id, output);
+  for (const auto& [local, player] : found->second.players()) {
+    output.add(MatchEvent::Kind::kConnectionLost, id, player.slot(), player.name());
+  }
   disconnected_.push_back({std::move(found->second), now});
   connected_.erase(found);
 }
 
-void MatchRoster::remove(ClientId client, MatchOutput& output) {
-  const auto found = connected_.find(client);
+void MatchRoster::remove(ClientId id, MatchOutput& output) {
+  const auto found = connected_.find(id);
   if (found == connected_.end()) return;
-  const MatchPlayer player = std::move(found->second);
+  const MatchClient client = std::move(found->second);
   connected_.erase(found);
-  left(player, client, output);
+  for (const auto& [local, player] : client.players()) left(player, id, output);
 }
 
 void MatchRoster::removeDisconnected(std::vector<Disconnected>::iterator disconnected, MatchOutput& output) {
-  const MatchPlayer player = std::move(disconnected->player);
+  const MatchClient client = std::move(disconnected->client);
   disconnected_.erase(disconnected);
-  left(player, 0, output);
+  for (const auto& [local, player] : client.players()) left(player, 0, output);
 }
 
-void MatchRoster::left(const MatchPlayer& player, ClientId client, MatchOutput& output) {
-  output.add(MatchEvent::Kind::kLeft, client, player.slot(), player.name());
+void MatchRoster::left(const MatchPlayer& player, ClientId id, MatchOutput& output) {
+  output.add(MatchEvent::Kind::kLeft, id, player.slot(), player.name());
   names_.release(player.slot());
 }
 
 bool MatchRoster::kick(std::uint32_t slot, const Bye& bye, MatchOutput& output) {
   if (const auto connected = connectedIn(slot); connected != connected_.end()) {
-    const ClientId client = connected->first;
-    output.sendLast(client, encode(bye));
-    remove(client, output);
+    auto& [id, client] = *connected;
+    if (const std::uint32_t local = *client.localIn(slot); local > 0) {
+      kickCompanion(id, client, local, output);
+      output.send(id, encode(LocalSlots{client.slots(), bye.reason}));
+    } else {
+      output.sendLast(id, encode(bye));
+      remove(id, output);
+    }
     return true;
   }
   const auto found = disconnectedIn(slot);
   if (found == disconnected_.end()) return false;
-  removeDisconnected(found, output);
+  if (const std::uint32_t local = *found->client.localIn(slot); local > 0)
+    kickCompanion(0, found->client, local, output);
+  else
+    removeDisconnected(found, output);
   return true;
+}
+
+void MatchRoster::kickCompanion(ClientId id, MatchClient& client, std::uint32_t local, MatchOutput& output) {
+  client.forbidCompanions();
+  removePlayer(id, client, local, output);
 }
 
 void MatchRoster::expire(std::uint64_t now, MatchOutput& output) {
@@ -263,64 +329,81 @@ void MatchRoster::expire(std::uint64_t now, MatchOutput& output) {
 
 void MatchRoster::clear(const Bye& bye, MatchOutput& output) {
   const SharedBytes last = encode(bye);
-  for (const auto& [client, player] : connected_) output.sendLast(client, last);
+  for (const auto& [id, client] : connected_) output.sendLast(id, last);
   connected_.clear();
   disconnected_.clear();
   names_ = PlayerNames(names_.slots());
 }
 
-std::map<ClientId, MatchPlayer>::iterator MatchRoster::connectedIn(std::uint32_t slot) {
+std::size_t MatchRoster::size() const {
+  std::size_t players = this->players();
+  for (const Disconnected& entry : disconnected_) players += entry.client.players().size();
+  return players;
+}
+
+std::size_t MatchRoster::players() const {
+  std::size_t players = 0;
+  for (const auto& [id, client] : connected_) players += client.players().size();
+  return players;
+}
+
+std::map<ClientId, MatchClient>::iterator MatchRoster::connectedIn(std::uint32_t slot) {
   return std::find_if(connected_.begin(), connected_.end(),
-                      [slot](const auto& entry) { return entry.second.slot() == slot; });
+                      [slot](const auto& entry) { return entry.second.localIn(slot).has_value(); });
 }
 
 std::vector<MatchRoster::Disconnected>::iterator MatchRoster::disconnectedIn(std::uint32_t slot) {
   return std::find_if(disconnected_.begin(), disconnected_.end(),
-                      [slot](const Disconnected& entry) { return entry.player.slot() == slot; });
+                      [slot](const Disconnected& entry) { return entry.client.localIn(slot).has_value(); });
 }
 
-MatchPlayer* MatchRoster::find(ClientId client) {
-  const auto found = connected_.find(client);
+MatchClient* MatchRoster::find(ClientId id) {
+  const auto found = connected_.find(id);
   return found == connected_.end() ? nullptr : &found->second;
 }
 
-const MatchPlayer* MatchRoster::find(ClientId client) const {
-  const auto found = connected_.find(client);
+const MatchClient* MatchRoster::find(ClientId id) const {
+  const auto found = connected_.find(id);
   return found == connected_.end() ? nullptr : &found->second;
 }
 
 std::vector<PlayerStatus> MatchRoster::status() const {
   std::vector<PlayerStatus> all;
-  const auto add = [this, &all](const MatchPlayer& player, std::optional<ClientId> client) {
-    all.push_back({player.slot(), player.name(), names_.shown(player.slot()), names_.isMuted(player.slot()), client,
-                   player.address(), player.inputs().missed()});
+  const auto add = [this, &all](const MatchClient& client, std::optional<ClientId> id) {
+    const std::uint32_t first = client.first().slot();
+    for (const auto& [local, player] : client.players()) {
+      all.push_back({player.slot(), player.name(), names_.shown(player.slot()), names_.isMuted(player.slot()), id,
+                     client.address(), player.missedInputs(), local > 0 ? std::optional(first) : std::nullopt});
+    }
   };
-  for (const auto& [client, player] : connected_) add(player, client);
-  for (const Disconnected& entry : disconnected_) add(entry.player, std::nullopt);
+  for (const auto& [id, client] : connected_) add(client, id);
+  for (const Disconnected& entry : disconnected_) add(entry.client, std::nullopt);
   std::sort(all.begin(), all.end(), [](const PlayerStatus& a, const PlayerStatus& b) { return a.slot < b.slot; });
   return all;
 }
 
 void MatchRoster::startRound() {
-  for (auto& [client, player] : connected_) player.startRound();
-  for (Disconnected& entry : disconnected_) entry.player.startRound();
+  for (auto& [id, client] : connected_) client.startRound();
+  for (Disconnected& entry : disconnected_) entry.client.startRound();
 }
 
 std::vector<Input> MatchRoster::decideInputs() {
   std::vector<Input> inputs;
-  const auto decide = [&inputs](MatchPlayer& player) {
-    const Input input = player.inputs().decide();
-    if (!input.has(Input::kPresent)) return;
-    if (inputs.size() <= player.slot()) inputs.resize(player.slot() + 1);
-    inputs[player.slot()] = input;
+  const auto decide = [&inputs](MatchClient& client) {
+    for (auto& [local, player] : client.players()) {
+      const Input input = player.decideInput();
+      if (!input.has(Input::kPresent)) continue;
+      if (inputs.size() <= player.slot()) inputs.resize(player.slot() + 1);
+      inputs[player.slot()] = input;
+    }
   };
-  for (auto& [client, player] : connected_) decide(player);
-  for (Disconnected& entry : disconnected_) decide(entry.player);
+  for (auto& [id, client] : connected_) decide(client);
+  for (Disconnected& entry : disconnected_) decide(entry.client);
   return inputs;
 }
 
 void MatchRoster::sendAll(const SharedBytes& bytes, MatchOutput& output) const {
-  for (const auto& [client, player] : connected_) output.send(client, bytes);
+  for (const auto& [id, client] : connected_) output.send(id, bytes);
 }
 
 }  // namespace platon

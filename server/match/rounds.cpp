@@ -43,7 +43,7 @@ void MatchRounds::start(MatchRoster& roster, MatchOutput& output) {
 }
 
 void MatchRounds::startNext(MatchRoster& roster, MatchOutput& output) {
-  rotation_.advance(roster.connected().size());
+  rotation_.advance(roster.players());
   start(roster, output);
 }
 
@@ -56,17 +56,18 @@ void MatchRounds::awaitPlayer(MatchRoster& roster, MatchOutput& output) {
   }
 }
 
-// Whether one more player is what a round waits for, in which a player was alone in a level for several: its clock and
-// the time that they share have run for nothing.
+// Whether one more player is what a round waits for, in which too few played a level for several: its clock and the
+// time that they share have run for nothing.
 bool MatchRounds::completesLevel(const MatchRoster& roster) const {
-  const std::size_t players = roster.connected().size();
+  const std::size_t players = roster.players();
   return waitsForOne_ && !overAt_ && players >= 1 && players + 1 == level()->players;
 }
 
+// Those who play at one machine need no time limit to wait for each other.
 bool MatchRounds::waits(const MatchRoster& roster) const { return waitsForOne_ && roster.connected().size() <= 1; }
 
 void MatchRounds::proceed(MatchRoster& roster, std::uint64_t now, MatchOutput& output) {
-  const bool bestIsNew = times_.note(played_.game(), roster.names(), roster.connected().size());
+  const bool bestIsNew = times_.note(played_.game(), roster.names(), roster.players());
   if (bestIsNew) tellNext(roster, output);
   if (!finishedAt_ && someoneHasFinished()) finishedAt_ = now;
   if (overAt_) return pause(roster, output);
@@ -82,7 +83,7 @@ void MatchRounds::proceed(MatchRoster& roster, std::uint64_t now, MatchOutput& o
 // Players who have come or left decide whether a level for several players is next, and whether it is waited for. It
 // comes only once it was told.
 void MatchRounds::pause(MatchRoster& roster, MatchOutput& output) {
-  const bool isTold = rotation_.next(roster.connected().size()) == toldNext_ && pauseTicks(roster) == toldPause_;
+  const bool isTold = rotation_.next(roster.players()) == toldNext_ && pauseTicks(roster) == toldPause_;
   if (!isTold) return tellNext(roster, output);
   if (!waits(roster) && !drain_ && pauseIsOver()) startNext(roster, output);
 }
@@ -97,7 +98,7 @@ bool MatchRounds::someoneHasFinished() const {
 
 // The game is over when all players present have finished. A match does not wait that long for players that are
 // inactive or disconnected: it is enough that one player has finished and that it awaits no other. Nor does it end when
-// the time is up while it waits for a player who is alone.
+// the time is up while it waits for those at one machine.
 bool MatchRounds::isOver(const MatchRoster& roster, std::uint64_t now) const {
   const Game& game = played_.game();
   if (game.over() && !(waits(roster) && game.ticksLeft() == 0)) return true;
@@ -105,10 +106,15 @@ bool MatchRounds::isOver(const MatchRoster& roster, std::uint64_t now) const {
   const auto& disconnected = roster.disconnected();
   return finishedAt_ &&
          std::none_of(connected.begin(), connected.end(),
-                      [&](const auto& entry) { return awaits(entry.second, now); }) &&
+                      [&](const auto& entry) { return awaitsAnyOf(entry.second, now); }) &&
          std::none_of(disconnected.begin(), disconnected.end(), [&](const MatchRoster::Disconnected& entry) {
-           return now - entry.since < kAwaitTicks && awaits(entry.player, now);
+           return now - entry.since < kAwaitTicks && awaitsAnyOf(entry.client, now);
          });
+}
+
+bool MatchRounds::awaitsAnyOf(const MatchClient& client, std::uint64_t now) const {
+  return std::any_of(client.players().begin(), client.players().end(),
+                     [&](const auto& entry) { return awaits(entry.second, now); });
 }
 
 // Whether the player is in the game, has not finished, and is active. In a level for several players, one may have
@@ -122,17 +128,17 @@ bool MatchRounds::awaits(const MatchPlayer& player, std::uint64_t now) const {
   return state.present != 0 && !state.finished() && (player.isActive(now) || mayHaveHelped);
 }
 
-void MatchRounds::vote(MatchPlayer& player, const Vote& vote, std::uint64_t now) {
-  if (vote.round == played_.number() && !overAt_) player.vote(vote.next, now);
+void MatchRounds::vote(MatchClient& client, const Vote& vote, std::uint64_t now) {
+  if (vote.round == played_.number() && !overAt_) client.vote(vote.next, now);
 }
 
-// Connected players that are active.
+// Connected players that are active. A client votes for all of them that it has.
 VoteCount MatchRounds::countVotes(MatchRoster& roster, std::uint64_t now) const {
   VoteCount count{played_.number(), 0, 0};
-  for (auto& [client, player] : roster.connected()) {
-    if (!player.isActive(now)) continue;
-    ++count.voters;
-    count.votes += player.wishesNext(now) ? 1 : 0;
+  for (auto& [id, client] : roster.connected()) {
+    const std::uint32_t voters = client.activePlayers(now);
+    count.voters += voters;
+    count.votes += client.wishesNext(now) ? voters : 0;
   }
   return count;
 }
@@ -156,14 +162,14 @@ void MatchRounds::end(const std::string& cause, const MatchRoster& roster, Match
 // In the pause, tells all players how the round has ended and what comes next.
 void MatchRounds::tellNext(const MatchRoster& roster, MatchOutput& output) {
   if (!overAt_) return;
-  toldNext_ = rotation_.next(roster.connected().size());
+  toldNext_ = rotation_.next(roster.players());
   toldPause_ = pauseTicks(roster);
   roster.sendAll(encode(*roundEnd(roster)), output);
 }
 
 std::optional<RoundEnd> MatchRounds::roundEnd(const MatchRoster& roster) const {
   if (!overAt_) return std::nullopt;
-  const Level& next = *rotation_.next(roster.connected().size());
+  const Level& next = *rotation_.next(roster.players());
   return RoundEnd{played_.number(), *overAt_, next.hash, shownTitle(next), pauseTicks(roster), times_.best(*level())};
 }
 

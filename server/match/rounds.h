@@ -10,8 +10,8 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "server/match/level_rotation.h"
+#include "server/match/match_client.h"
 #include "server/match/match_output.h"
-#include "server/match/match_player.h"
 #include "server/match/match_settings.h"
 #include "server/match/played_round.h"
 #include "server/match/round_times.h"
@@ -78,8 +78,8 @@ class MatchRounds {
   /// As RoundTimes::keepOf.
   void keepTimesOf(std::uint32_t slot) { times_.keepOf(slot); }
 
-  /// Call before a new player joins. Starts a round if nobody is left who plays the present one, or if a player who was
-  /// alone has waited for this one in a level for several.
+  /// Call before a new player joins. Starts a round if nobody is left who plays the present one, or if those who were
+  /// too few for a level for several have waited for this one.
   void awaitPlayer(MatchRoster& roster, MatchOutput& output);
   /// Call after each tick: ends the round when it is over, and starts the next one after the pause.
   void proceed(MatchRoster& roster, std::uint64_t now, MatchOutput& output);
@@ -87,8 +87,8 @@ class MatchRounds {
   bool endNow(MatchRoster& roster, MatchOutput& output);
   /// Starts the next round at once.
   void startNext(MatchRoster& roster, MatchOutput& output);
-  /// The vote of a player at tick `now` of the match.
-  void vote(MatchPlayer& player, const Vote& vote, std::uint64_t now);
+  /// The vote of a client at tick `now` of the match.
+  void vote(MatchClient& client, const Vote& vote, std::uint64_t now);
 
   /// Plays these levels after the current one (LevelRotation::replace), or new versions of the levels from the next
   /// round on (LevelRotation::update). In the pause, tells all players what comes next now.
@@ -101,7 +101,7 @@ class MatchRounds {
   const std::optional<MatchDrain>& draining() const { return drain_; }
   /// Whether the pause after the round has passed.
   bool pauseIsOver() const { return overAt_ && played_.ticks() - *overAt_ >= kPauseTicks; }
-  /// Whether rounds have no time limit, because they wait for a player who is alone.
+  /// Whether rounds have no time limit, because they wait for those who play at one machine, or for nobody.
   bool waits(const MatchRoster& roster) const;
 
   /// In the pause: how the round has ended, and what comes next.
@@ -120,6 +120,7 @@ class MatchRounds {
   VoteCount countVotes(MatchRoster& roster, std::uint64_t now) const;
   bool someoneHasFinished() const;
   bool isOver(const MatchRoster& roster, std::uint64_t now) const;
+  bool awaitsAnyOf(const MatchClient& client, std::uint64_t now) const;
   bool awaits(const MatchPlayer& player, std::uint64_t now) const;
 
   LevelRotation rotation_;

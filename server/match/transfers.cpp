@@ -18,7 +18,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// The next chunks for the client of a player, at most so many. Returns their number.
+// The next chunks for a client, at most so many. Returns their number.
 std::size_t sendTo(ClientId client, ClientTransfers& transfers, std::size_t limit, MatchOutput& output) {
   std::size_t chunks = 0;
   for (; chunks < limit; ++chunks) {
@@ -153,30 +153,30 @@ std::optional<SharedBytes> ClientTransfers::nextChunk() {
   return chunk;
 }
 
-void MatchTransfers::sendLevel(MatchPlayer& player, const LevelPointer& level) {
-  player.transfers().sendLevel(cache_.level(level));
+void MatchTransfers::sendLevel(MatchClient& client, const LevelPointer& level) {
+  client.transfers().sendLevel(cache_.level(level));
 }
 
-void MatchTransfers::sendState(MatchPlayer& player, const PlayedRound& round, std::uint64_t now) {
-  const Transfer state = cache_.state(round.number(), round.history(), round.game(), player.transfers().nextSync());
-  player.transfers().sendState(state, now);
-  player.ticks().acknowledge(round.history().end());
+void MatchTransfers::sendState(MatchClient& client, const PlayedRound& round, std::uint64_t now) {
+  const Transfer state = cache_.state(round.number(), round.history(), round.game(), client.transfers().nextSync());
+  client.transfers().sendState(state, now);
+  client.ticks().acknowledge(round.history().end());
 }
 
 // Clients take turns: if the chunks of one tick do not suffice for all, the next tick continues with the next client.
 void MatchTransfers::sendChunks(MatchRoster& roster, const std::function<std::size_t(ClientId)>& room,
                                 MatchOutput& output) {
-  std::map<ClientId, MatchPlayer>& players = roster.connected();
+  std::map<ClientId, MatchClient>& clients = roster.connected();
   std::size_t left = kMaxChunksPerTick;
-  auto next = players.lower_bound(next_);
-  for (std::size_t visited = 0; visited < players.size() && left > 0; ++visited) {
-    if (next == players.end()) next = players.begin();
-    auto& [client, player] = *next++;
-    if (!player.transfers().hasChunks()) continue;
-    const std::size_t limit = std::min({kClientChunksPerTick, left, room ? room(client) : kClientChunksPerTick});
-    left -= sendTo(client, player.transfers(), limit, output);
+  auto next = clients.lower_bound(next_);
+  for (std::size_t visited = 0; visited < clients.size() && left > 0; ++visited) {
+    if (next == clients.end()) next = clients.begin();
+    auto& [id, client] = *next++;
+    if (!client.transfers().hasChunks()) continue;
+    const std::size_t limit = std::min({kClientChunksPerTick, left, room ? room(id) : kClientChunksPerTick});
+    left -= sendTo(id, client.transfers(), limit, output);
   }
-  next_ = next == players.end() ? 0 : next->first;
+  next_ = next == clients.end() ? 0 : next->first;
 }
 
 }  // namespace platon

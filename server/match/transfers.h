@@ -15,7 +15,7 @@
 
 namespace platon {
 
-class MatchPlayer;
+class MatchClient;
 class MatchRoster;
 class PlayedRound;
 class TickHistory;
@@ -106,10 +106,10 @@ class MatchTransfers {
   /// Chunks sent to all clients together in one tick.
   static constexpr std::size_t kMaxChunksPerTick = 256;
 
-  /// Starts the transfer of a level to the client of a player.
-  void sendLevel(MatchPlayer& player, const LevelPointer& level);
+  /// Starts the transfer of a level to a client.
+  void sendLevel(MatchClient& client, const LevelPointer& level);
   /// Starts the transfer of the present state at tick `now` of the match.
-  void sendState(MatchPlayer& player, const PlayedRound& round, std::uint64_t now);
+  void sendState(MatchClient& client, const PlayedRound& round, std::uint64_t now);
   /// Sends the chunks of this tick. `room`: how many reliable messages a client can be sent; empty: any number.
   void sendChunks(MatchRoster& roster, const std::function<std::size_t(ClientId)>& room, MatchOutput& output);
 

@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-// Ticks between two messages of ticks to a player. With more players, each message costs more, and there are more
+// Ticks between two messages of ticks to a client. With more players, each message costs more, and there are more
 // messages.
 std::uint32_t intervalFor(std::size_t players) {
   if (players <= MatchUpdates::kFewPlayers) return 1;
@@ -86,17 +86,17 @@ void MatchUpdates::sendNames(MatchRoster& roster, std::uint64_t now, MatchOutput
 // When many players change buttons, a message may hold fewer ticks than are decided before the next one. The rest
 // follows in the next ticks.
 void MatchUpdates::sendTicks(MatchRoster& roster, const TickHistory& history, std::uint64_t now, MatchOutput& output) {
-  const std::uint32_t interval = intervalFor(roster.connected().size());
-  for (auto& [client, player] : roster.connected()) {
-    TickDelivery& delivery = player.ticks();
-    const bool due = (now + player.slot()) % interval == 0 || delivery.fallsBehind(interval);
+  const std::uint32_t interval = intervalFor(roster.players());
+  for (auto& [id, client] : roster.connected()) {
+    TickDelivery& delivery = client.ticks();
+    const bool due = (now + client.first().slot()) % interval == 0 || delivery.fallsBehind(interval);
     const bool follows = delivery.started() && history.covers(delivery.acknowledged());
     if (!due || !follows || delivery.acknowledged() == history.end()) continue;
     history.collect(delivery.nextToSend(history.end(), interval), ticks_);
     delivery.sent(ticks_.from, ticks_.from + ticks_.count, history.end());
-    ticks_.link = player.inputs().takeLinkReport();
+    ticks_.link = client.arrival().take();
     ticks_.sequence = delivery.nextSequence();
-    output.sendUnsequenced(client, encode(ticks_));
+    output.sendUnsequenced(id, encode(ticks_));
   }
 }
 
@@ -105,12 +105,15 @@ void MatchUpdates::sendRoundTrips(const MatchRoster& roster, const std::function
                                   std::uint64_t now, MatchOutput& output) {
   if (!roundTrip || roster.connected().size() < 2 || now % kRoundTripsTicks != 0) return;
   RoundTrips message;
-  for (const auto& [client, player] : roster.connected()) {
-    message.codes.resize(std::max<std::size_t>(message.codes.size(), player.slot() + 1), kNoRoundTrip);
-    message.codes[player.slot()] = codeOfRoundTrip(roundTrip(client));
+  for (const auto& [id, client] : roster.connected()) {
+    const std::uint8_t code = codeOfRoundTrip(roundTrip(id));
+    for (const auto& [local, player] : client.players()) {
+      message.codes.resize(std::max<std::size_t>(message.codes.size(), player.slot() + 1), kNoRoundTrip);
+      message.codes[player.slot()] = code;
+    }
   }
   const SharedBytes bytes = encode(message);
-  for (const auto& [client, player] : roster.connected()) output.sendUnsequenced(client, bytes);
+  for (const auto& [id, client] : roster.connected()) output.sendUnsequenced(id, bytes);
 }
 
 }  // namespace platon

@@ -104,7 +104,7 @@ class TickDelivery {
 /// functions once a tick, which is `now`, counted over all rounds.
 class MatchUpdates {
  public:
-  /// Each player is sent the decided ticks every tick while at most kFewPlayers are connected, every second tick while
+  /// Each client is sent the decided ticks every tick while at most kFewPlayers are connected, every second tick while
   /// at most kManyPlayers are, and every third tick otherwise; and in every tick while a message holds too few of
   /// them.
   static constexpr std::size_t kFewPlayers = 4;
@@ -116,7 +116,8 @@ class MatchUpdates {
 
   void sendNames(MatchRoster& roster, std::uint64_t now, MatchOutput& output);
   void sendTicks(MatchRoster& roster, const TickHistory& history, std::uint64_t now, MatchOutput& output);
-  /// `roundTrip`: to a client, milliseconds. If it is empty, or a player is alone, nobody is told anything.
+  /// `roundTrip`: to a client, milliseconds, and so of all its players. If it is empty, or a client is alone, nobody is
+  /// told anything.
   static void sendRoundTrips(const MatchRoster& roster, const std::function<std::uint32_t(ClientId)>& roundTrip,
                              std::uint64_t now, MatchOutput& output);
 

@@ -1,6 +1,7 @@
 """The faults that mutate.py tries. Each is one small mistake in the code of the simulation, the server or the client."""
 
 from client_faults import CLIENT_FAULTS
+from companion_faults import COMPANION_FAULTS
 from event_faults import EVENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
 from file_faults import FILE_FAULTS
@@ -365,6 +366,7 @@ FAULTS = [
     *PROTOCOL_FAULTS,
     *TRANSPORT_FAULTS,
     *HOUSEHOLD_FAULTS,
+    *COMPANION_FAULTS,
     *NAME_FAULTS,
     *SERVER_FAULTS,
     *LIST_FAULTS,

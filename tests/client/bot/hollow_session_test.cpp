@@ -97,7 +97,7 @@ TEST_F(HollowSessionTest, ItsInputsArriveInTime) {
   ASSERT_GT(decided_.size(), 290u);
   EXPECT_NE(std::search(pressed_.begin(), pressed_.end(), decided_.begin(), decided_.end()), pressed_.end());
   EXPECT_GT(session_->confirmedTicks(), 570u);
-  EXPECT_GT(match_.player(kClient)->ticks().acknowledged() + 12, session_->confirmedTicks());
+  EXPECT_GT(match_.find(kClient)->ticks().acknowledged() + 12, session_->confirmedTicks());
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
   EXPECT_NEAR(session_->linkStatistics().rttMs, 110, 20);
 }
@@ -116,8 +116,8 @@ TEST_F(HollowSessionTest, JoinsARunningRound) {
   run(std::chrono::seconds(3));
   join(delayed(20));
   run(std::chrono::seconds(3));
-  EXPECT_TRUE(match_.game().player(match_.player(kClient)->slot()).present);
-  EXPECT_GT(match_.player(kClient)->ticks().acknowledged(), 340u);
+  EXPECT_TRUE(match_.game().player(match_.find(kClient)->first().slot()).present);
+  EXPECT_GT(match_.find(kClient)->ticks().acknowledged(), 340u);
   EXPECT_NEAR(session_->confirmedTicks(), 175, 10);  // only ticks since it joined
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
 }
@@ -139,10 +139,10 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
   }
   ASSERT_EQ(match_.round(), round + 1);
   run(std::chrono::seconds(3));
-  const MatchPlayer& player = *match_.player(kClient);
-  ASSERT_LT(player.slot(), match_.game().slots());
-  EXPECT_TRUE(match_.game().player(player.slot()).present);
-  EXPECT_GT(player.ticks().acknowledged(), 150u);
+  const MatchClient& client = *match_.find(kClient);
+  ASSERT_LT(client.first().slot(), match_.game().slots());
+  EXPECT_TRUE(match_.game().player(client.first().slot()).present);
+  EXPECT_GT(client.ticks().acknowledged(), 150u);
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
 }
 
@@ -178,7 +178,7 @@ TEST_F(HollowSessionTest, ResumesItsPlayerWithItsToken) {
   ASSERT_TRUE(session_->welcome());
   EXPECT_EQ(session_->welcome()->slot, slot);
   EXPECT_EQ(events(MatchEvent::Kind::kResumed), 1u);
-  EXPECT_GT(match_.player(kClient)->ticks().acknowledged(), 90u);
+  EXPECT_GT(match_.find(kClient)->ticks().acknowledged(), 90u);
 }
 
 TEST_F(HollowSessionTest, LeaveRemovesThePlayer) {

@@ -49,6 +49,8 @@ const std::array kAttacks{
     Attack{"requests", "players who request levels without end", true, "", requestLevels},
     Attack{"votes", "players, fewer than half, who vote and take it back without end", true, "", castVotes},
     Attack{"chat", "players who say the longest texts without end", true, "", talkWithoutEnd},
+    Attack{"companions", "players whose companions join, leave, press and change their names without end", true, "",
+           changeCompanions},
     Attack{"malformed", "players who send malformed messages and rejoin", true, "handshakes", sendMalformed},
     Attack{"tokens", "players who guess tokens", true, "handshakes", guessTokens},
     Attack{"join-leave", "64 clients who join and leave as often as they can", true, "handshakes", joinAndLeave},

@@ -287,6 +287,24 @@ void talk(Connection& connection, const Welcome&, Dice& dice) {
   }
 }
 
+// As many as fit the budget of a connection; some for players that there cannot be.
+void changeCompanion(Connection& connection, const Welcome&, Dice& dice) {
+  for (int i = 0; i < 4; ++i) {
+    Companion companion{1 + static_cast<std::uint32_t>(dice.below(dice.below(8) == 0 ? 255 : 3)), dice.below(3) != 0};
+    if (companion.joins) companion.name = std::string(kMaxNameBytes - 8, 'x') + std::to_string(dice.below(1 << 20));
+    connection.send(encode(companion), true);
+  }
+}
+
+// The same inputs for every companion, whether it plays or not.
+void pressForCompanions(ToServer& message, AttackNetwork&, Dice& dice) {
+  auto* const inputs = std::get_if<PlayerInputs>(&message);
+  if (inputs == nullptr || inputs->inputs.empty()) return;
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local) {
+    inputs->companions.push_back({local, inputs->first + static_cast<std::uint32_t>(dice.below(200)), inputs->inputs});
+  }
+}
+
 // A part of a recorded datagram, or any bytes.
 void setToken(ToServer& message, AttackNetwork& network, Dice& dice) {
   auto* const hello = std::get_if<Hello>(&message);
@@ -340,6 +358,11 @@ std::unique_ptr<Attacker> castVotes(AttackNetwork& network) {
 
 std::unique_ptr<Attacker> talkWithoutEnd(AttackNetwork& network) {
   return attackOf(network, {.tamper = {}, .extra = talk}, kPlayers);
+}
+
+// One connection in each household, so that the companions have room.
+std::unique_ptr<Attacker> changeCompanions(AttackNetwork& network) {
+  return attackOf(network, {.tamper = pressForCompanions, .extra = changeCompanion}, kOwnHouseholds);
 }
 
 std::unique_ptr<Attacker> sendMalformed(AttackNetwork& network) {

@@ -17,6 +17,7 @@ std::unique_ptr<Attacker> sendWrongHashes(AttackNetwork& network);
 std::unique_ptr<Attacker> requestLevels(AttackNetwork& network);
 std::unique_ptr<Attacker> castVotes(AttackNetwork& network);
 std::unique_ptr<Attacker> talkWithoutEnd(AttackNetwork& network);
+std::unique_ptr<Attacker> changeCompanions(AttackNetwork& network);
 std::unique_ptr<Attacker> sendMalformed(AttackNetwork& network);
 std::unique_ptr<Attacker> guessTokens(AttackNetwork& network);
 std::unique_ptr<Attacker> joinAndLeave(AttackNetwork& network);

@@ -24,16 +24,17 @@ void FakeClient::send(const Message& message, bool reliable) {
   outgoing_.push_back({encode(message), reliable});
 }
 
-FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons)
-    : lead_(lead), buttons_(std::move(buttons)), token_(newToken()) {
+FakeClient::FakeClient(std::string name, std::uint32_t lead, Buttons buttons) : lead_(lead), token_(newToken()) {
+  players_[0].buttons = std::move(buttons);
   send(Hello{kRulesVersion, std::move(name), token_}, true);
 }
 
-FakeClient::FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons)
-    : lead_(disconnected.lead_),
-      buttons_(std::move(buttons)),
-      token_(disconnected.token_),
-      texts_(disconnected.texts_) {
+FakeClient::FakeClient(const FakeClient& disconnected, Buttons buttons)
+    : lead_(disconnected.lead_), token_(disconnected.token_), texts_(disconnected.texts_) {
+  for (std::size_t local = 1; local < players_.size(); ++local) {
+    players_[local].buttons = disconnected.players_[local].buttons;
+  }
+  players_[0].buttons = std::move(buttons);
   Hello hello;
   hello.token = token_;
   for (const auto& [hash, level] : texts_) hello.levels.push_back(hash);
@@ -44,10 +45,20 @@ void FakeClient::update(Time) {
   if (!game_) return;
   PlayerInputs message{round_, sync_,      confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_),
                        {},     sequence_++};
-  for (std::uint32_t tick = message.first; tick <= confirmed_ + lead_; ++tick) {
-    message.inputs.push_back(validInput(static_cast<std::uint8_t>(buttons_(tick) | Input::kPresent)));
+  message.inputs = inputsOf(players_[0], message.first);
+  for (std::uint32_t local = 1; local < players_.size() && !message.inputs.empty(); ++local) {
+    const Player& companion = players_[local];
+    if (companion.slot) message.companions.push_back({local, message.first, inputsOf(companion, message.first)});
   }
   send(message, false);
+}
+
+std::vector<Input> FakeClient::inputsOf(const Player& player, std::uint32_t first) const {
+  std::vector<Input> inputs;
+  for (std::uint32_t tick = first; tick <= confirmed_ + lead_; ++tick) {
+    inputs.push_back(validInput(static_cast<std::uint8_t>(player.buttons(tick) | Input::kPresent)));
+  }
+  return inputs;
 }
 
 void FakeClient::receive(std::vector<std::uint8_t> bytes, Time) {
@@ -58,6 +69,7 @@ void FakeClient::receive(std::vector<std::uint8_t> bytes, Time) {
 
 void FakeClient::handle(const Welcome& message) {
   welcome_ = message;
+  players_[0].slot = message.slot;
   startRound(message.round, message.levelHash);
 }
 
@@ -93,7 +105,7 @@ void FakeClient::play() {
   sync_ = 0;
   held_.clear();
   hashes_.clear();
-  decided_.clear();
+  for (Player& player : players_) player.decided.clear();
 }
 
 void FakeClient::handle(const StateChunk& message) {
@@ -118,7 +130,9 @@ void FakeClient::handle(const ConfirmedTicks& message) {
       if (held_.size() <= change->slot) held_.resize(change->slot + 1);
       held_[change->slot] = change->input;
     }
-    decided_[confirmed_] = welcome_->slot < held_.size() ? held_[welcome_->slot] : Input{};
+    for (Player& player : players_) {
+      if (player.slot) player.decided[confirmed_] = *player.slot < held_.size() ? held_[*player.slot] : Input{};
+    }
     game_->advance(held_);
     hashes_[confirmed_ + 1] = game_->hash();
   }
@@ -127,7 +141,19 @@ void FakeClient::handle(const ConfirmedTicks& message) {
 
 void FakeClient::vote(std::uint32_t round, bool next) { send(Vote{round, next}, true); }
 
-void FakeClient::say(const Chat& chat) { send(LocalChat{0, chat}, true); }
+void FakeClient::say(const Chat& chat, std::uint32_t local) { send(LocalChat{local, chat}, true); }
+
+void FakeClient::addCompanion(std::uint32_t local, const std::string& name, Buttons buttons) {
+  players_[local].buttons = std::move(buttons);
+  send(Companion{local, true, name}, true);
+}
+
+void FakeClient::removeCompanion(std::uint32_t local) { send(Companion{local, false}, true); }
+
+void FakeClient::handle(const LocalSlots& message) {
+  localSlots_.push_back(message);
+  for (std::size_t local = 0; local < players_.size(); ++local) players_[local].slot = message.slots[local];
+}
 
 void FakeClient::corruptGame() {
   ASSERT_TRUE(game_);

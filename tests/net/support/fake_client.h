@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -21,11 +22,13 @@ namespace platon {
 /// except the messages.
 class FakeClient : public VirtualClient {
  public:
-  /// `lead`: number of ticks for which it sends inputs ahead of the confirmed tick. `buttons` returns the pressed
-  /// buttons of a tick.
-  FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons);
-  /// Resumes the player of `disconnected` and knows its levels.
-  FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons);
+  /// The pressed buttons of a tick.
+  using Buttons = std::function<int(std::uint32_t)>;
+
+  /// `lead`: number of ticks for which it sends inputs ahead of the confirmed tick.
+  FakeClient(std::string name, std::uint32_t lead, Buttons buttons);
+  /// Resumes the players of `disconnected` and knows its levels. Its companions press what they pressed.
+  FakeClient(const FakeClient& disconnected, Buttons buttons);
 
   void receive(std::vector<std::uint8_t> bytes, Time now) override;
   /// Sends the inputs of this tick. Without a game it sends nothing.
@@ -50,8 +53,12 @@ class FakeClient : public VirtualClient {
   const std::optional<Game>& game() const { return game_; }
   /// Hash of the confirmed game by number of ticks played in this round.
   const std::map<std::uint32_t, std::uint64_t>& hashes() const { return hashes_; }
-  /// Inputs that the server decided for this client, by tick of this round.
-  const std::map<std::uint32_t, Input>& decided() const { return decided_; }
+  /// Inputs that the server decided for the player with this local number, by tick of this round.
+  const std::map<std::uint32_t, Input>& decided(std::uint32_t local = 0) const { return players_[local].decided; }
+  /// The slot of this player, as the server has told; nothing: it has none.
+  std::optional<std::uint32_t> slot(std::uint32_t local = 0) const { return players_[local].slot; }
+  /// All LocalSlots, in order.
+  const std::vector<LocalSlots>& localSlots() const { return localSlots_; }
   std::uint32_t desyncs() const { return desyncs_; }
   std::uint32_t states() const { return states_; }
   std::uint32_t levels() const { return levels_; }
@@ -62,11 +69,20 @@ class FakeClient : public VirtualClient {
   /// Sends a vote for the present round, or for another one.
   void vote(bool next) { vote(round_, next); }
   void vote(std::uint32_t round, bool next);
-  void say(const Chat& chat);
+  void say(const Chat& chat, std::uint32_t local = 0);
+  /// Asks for a companion with this local number, or for another name of it. While it has a slot, it presses this.
+  void addCompanion(std::uint32_t local, const std::string& name, Buttons buttons);
+  void removeCompanion(std::uint32_t local);
   /// Changes the confirmed game, so that it is in desync.
   void corruptGame();
 
  private:
+  struct Player {
+    Buttons buttons;
+    std::optional<std::uint32_t> slot;
+    std::map<std::uint32_t, Input> decided;  // by tick of this round
+  };
+
   template <class Message>
   void send(const Message& message, bool reliable);
   void handle(const Welcome& message);
@@ -81,16 +97,17 @@ class FakeClient : public VirtualClient {
   void handle(const VoteCount& message) { voteCounts_.push_back(message); }
   void handle(const PlayerChat& message) { chats_.push_back(message); }
   void handle(const RoundTrips&) {}
-  void handle(const LocalSlots&) {}
+  void handle(const LocalSlots& message);
   void handle(const Bye& message) { bye_ = message; }
   void handle(const Notice& message) { notices_.push_back(message.text); }
   void handle(const ConfirmedTicks& message);
 
   bool startRound(std::uint32_t round, std::uint64_t levelHash);
   void play();
+  std::vector<Input> inputsOf(const Player& player, std::uint32_t first) const;
 
   std::uint32_t lead_;
-  std::function<int(std::uint32_t)> buttons_;
+  std::array<Player, kMaxLocalPlayers> players_;  // by local number
   SessionToken token_{};
   std::vector<OutgoingMessage> outgoing_;
   std::map<std::uint64_t, std::shared_ptr<const Level>> texts_;
@@ -101,6 +118,7 @@ class FakeClient : public VirtualClient {
   std::optional<RoundEnd> roundEnd_;
   std::vector<VoteCount> voteCounts_;
   std::vector<PlayerChat> chats_;
+  std::vector<LocalSlots> localSlots_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;
   std::uint32_t round_ = 0;
@@ -114,7 +132,6 @@ class FakeClient : public VirtualClient {
   Assembly levelAssembly_;
   Assembly stateAssembly_;
   std::map<std::uint32_t, std::uint64_t> hashes_;
-  std::map<std::uint32_t, Input> decided_;
   std::uint32_t desyncs_ = 0;
   std::uint32_t states_ = 0;
   std::uint32_t levels_ = 0;

@@ -465,6 +465,19 @@ TEST_F(EnforceBansTest, RemovesEveryPlayerOfABannedAddress) {
   }
 }
 
+// Also where a companion has a lower slot.
+TEST_F(EnforceBansTest, RemovesTheCompanionsOfABannedPlayer) {
+  match_.remove(1);
+  match_.tick();
+  for (const std::uint32_t local : {1u, 2u}) match_.receive(3, Companion{local, true, "Ben"});
+  match_.takeOutgoing();
+  EXPECT_EQ(enforceBans(match_, listOf("192.0.2.8\n"), kNow), 3u);
+  EXPECT_EQ(match_.players(), 2u);
+  const std::span<const Outgoing> sent = match_.takeOutgoing();
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_TRUE(sent[0].last);
+}
+
 TEST_F(EnforceBansTest, RemovesDisconnectedPlayersToo) {
   match_.disconnect(1);
   EXPECT_EQ(enforceBans(match_, listOf("192.0.2.0/24\n"), kNow), 3u);

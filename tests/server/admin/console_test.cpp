@@ -327,6 +327,19 @@ TEST_F(ConsoleTest, KickRemovesAPlayerByNumberOrName) {
   EXPECT_EQ(error("kick 0"), "there is no player '0': the command 'players' lists all of them");
 }
 
+TEST_F(ConsoleTest, ThePlayersOfAConnectionAreListedAndRemovedWithIt) {
+  join(1, "Ann", "192.0.2.7");
+  for (const std::uint32_t local : {1u, 2u}) match_.receive(1, Companion{local, true, "P" + std::to_string(local)});
+  EXPECT_EQ(text("players"),
+            "1  192.0.2.7  \"Ann\", missed inputs: 0\n"
+            "2  192.0.2.7  \"P1\", with player 1, missed inputs: 0\n"
+            "3  192.0.2.7  \"P2\", with player 1, missed inputs: 0");
+  EXPECT_EQ(text("kick P1"), "removed player 2 (P1)");
+  EXPECT_TRUE(byes().empty()) << "its connection stays";
+  EXPECT_EQ(text("kick 1"), "removed player 1 (Ann), and 1 companion");
+  EXPECT_TRUE(match_.idle());
+}
+
 TEST_F(ConsoleTest, TheLongestReasonFits) {
   join(1, "Ann");
   const std::string reason(kMaxKickReasonBytes, 'x');

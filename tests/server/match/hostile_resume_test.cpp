@@ -74,7 +74,7 @@ TEST_F(HostileResume, APlayerThatMovesCountsWhereItIs) {
   sendHello(match, 4, 4, 7);
   EXPECT_TRUE(match.isPlaying(4));
   EXPECT_FALSE(match.move(4, addressOf(8)));
-  EXPECT_EQ(match.player(4)->address(), addressOf(7));
+  EXPECT_EQ(match.find(4)->address(), addressOf(7));
   EXPECT_TRUE(match.move(1, addressOf(8))) << "another address of the same household";
   EXPECT_TRUE(match.move(99, addressOf(8))) << "a client without a player";
 }
@@ -124,8 +124,8 @@ TEST_F(HostileResume, ASecondHelloChangesNothing) {
   sendHello(match, 1, 1);
   tick(match);
   EXPECT_EQ(match.players(), 1u);
-  EXPECT_EQ(match.player(1)->name(), "P1");
-  EXPECT_TRUE(match.player(1)->hasToken(tokenNumber(1)));
+  EXPECT_EQ(match.find(1)->first().name(), "P1");
+  EXPECT_TRUE(match.find(1)->hasToken(tokenNumber(1)));
   EXPECT_EQ(events_[Kind::kJoined], 1u);
   EXPECT_EQ(events_[Kind::kResumed], 0u);
 }
@@ -182,7 +182,7 @@ TEST_F(HostileResume, AllPlayersOfAFullServerCanDisconnectAtOnce) {
   for (std::uint32_t i = 0; i < kMaxPlayers; ++i) sendHello(match, 1 + i, i);
   for (int i = 0; i < 10; ++i) tick(match);
   std::vector<std::uint32_t> slots;
-  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) slots.push_back(match.player(1 + i)->slot());
+  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) slots.push_back(match.find(1 + i)->first().slot());
   for (std::uint32_t i = 0; i < kMaxPlayers; ++i) match.disconnect(1 + i);
   tick(match);
   EXPECT_TRUE(sent_.empty());
@@ -192,7 +192,8 @@ TEST_F(HostileResume, AllPlayersOfAFullServerCanDisconnectAtOnce) {
   for (std::uint32_t i = kMaxPlayers; i-- > kMaxPlayers / 2;) sendHello(match, 1001 + i, i);
   tick(match);
   EXPECT_EQ(match.players(), kMaxPlayers / 2);
-  for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i) EXPECT_EQ(match.player(1001 + i)->slot(), slots[i]);
+  for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i)
+    EXPECT_EQ(match.find(1001 + i)->first().slot(), slots[i]);
   for (std::uint64_t i = 0; i < MatchRoster::kResumeTicks + 2; ++i) match.tick();
   tick(match);
   EXPECT_EQ(events_[Kind::kLeft], kMaxPlayers / 2);
@@ -210,7 +211,7 @@ TEST_F(HostileResume, AMatchForOneKeepsTheSlotForItsDisconnectedPlayer) {
   tick(match);
   sendHello(match, 3, 1);
   ASSERT_TRUE(match.isPlaying(3));
-  EXPECT_EQ(match.player(3)->slot(), 0u);
+  EXPECT_EQ(match.find(3)->first().slot(), 0u);
   match.disconnect(3);
   for (std::uint64_t i = 0; i <= MatchRoster::kResumeTicks; ++i) tick(match);
   EXPECT_TRUE(match.idle());
@@ -250,7 +251,7 @@ TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
   EXPECT_TRUE(match.isPlaying(200));
   sendHello(match, 3, 1, kOther);
   tick(match);
-  EXPECT_EQ(match.player(3)->slot(), 0u);  // its player was kept
+  EXPECT_EQ(match.find(3)->first().slot(), 0u);  // its player was kept
   EXPECT_EQ(events_[Kind::kResumed], 2u);
 }
 

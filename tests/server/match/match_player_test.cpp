@@ -4,9 +4,7 @@
 
 #include <map>
 #include <random>
-#include <variant>
-
-#include "tests/support/test_levels.h"
+#include <vector>
 
 namespace platon::match_player_test {
 namespace {
@@ -96,174 +94,70 @@ TEST(InputBuffer, DecidesEachTickByItsFirstInputInTime) {
   }
 }
 
-TEST(VoteWish, CountsAtOnceAndEndsWhenItIsTakenBackASecondLater) {
-  VoteWish wish;
-  EXPECT_FALSE(wish.counts(1000));
-  wish.set(true);
-  EXPECT_TRUE(wish.counts(1000));
-  wish.set(false);
-  EXPECT_TRUE(wish.counts(1000 + VoteWish::kMinTicks - 1));
-  EXPECT_FALSE(wish.counts(1000 + VoteWish::kMinTicks));
-}
-
-TEST(VoteWish, TheLastOfManyWishesCounts) {
-  VoteWish wish;
-  std::uint64_t changes = 0;
-  bool before = false;
-  for (std::uint64_t tick = 0; tick < 600; ++tick) {
-    for (int i = 0; i < 101; ++i) wish.set(i % 2 == (tick % 2 == 0 ? 0 : 1));
-    const bool counts = wish.counts(tick);
-    changes += counts != before ? 1 : 0;
-    before = counts;
-  }
-  EXPECT_LE(changes, 600 / VoteWish::kMinTicks);
-  EXPECT_GT(changes, 0u);
-  wish.set(true);
-  EXPECT_TRUE(wish.counts(700));
-}
-
-TEST(VoteWish, EndsAtOnceWhenItIsCleared) {
-  VoteWish wish;
-  wish.set(true);
-  EXPECT_TRUE(wish.counts(5));
-  wish.clear();
-  EXPECT_FALSE(wish.counts(5));
-  EXPECT_FALSE(wish.counts(5 + 2 * VoteWish::kMinTicks));
-}
-
-void receive(MatchPlayer& player, const PlayerInputs& message, std::uint32_t decided) {
-  player.inputs().countMessage(message.sequence);
-  player.addInputs(message, decided, 0);
-}
-
 class MatchPlayerTest : public testing::Test {
  protected:
-  std::optional<SlackReport> takeSlack() {
-    const auto report = player_.inputs().takeLinkReport();
-    return report ? report->slack : std::nullopt;
+  // Inputs from tick `first` on, of which `decided` ticks are decided.
+  std::optional<SlackReport> add(std::uint32_t first, const std::vector<Input>& inputs, std::uint32_t decided = 0,
+                                 std::uint64_t now = 0) {
+    return player_.addInputs({first, inputs}, decided, now);
   }
 
-  // Number of level texts among the messages of all transfers.
-  std::uint32_t takeLevels() {
-    std::uint32_t levels = 0;
-    for (auto chunk = player_.transfers().nextChunk(); chunk; chunk = player_.transfers().nextChunk()) {
-      levels += std::holds_alternative<LevelChunk>(*decodeToClient(*chunk)) ? 1 : 0;
-    }
-    return levels;
-  }
-
-  MatchPlayer player_{0, "Ann", SessionToken{1, 2, 3}, 0};
+  MatchPlayer player_{0, "Ann", 0};
 };
 
-TEST_F(MatchPlayerTest, WithoutAMessageThereIsNoLinkReport) { EXPECT_FALSE(player_.inputs().takeLinkReport()); }
-
 TEST_F(MatchPlayerTest, SlackIsThatOfTheNewestInputWhenNothingChanges) {
-  receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1)}, 5}, 8);
-  EXPECT_EQ(takeSlack(), (SlackReport{12, 4}));
-  EXPECT_FALSE(player_.inputs().takeLinkReport());
+  EXPECT_EQ(add(10, {pressing(1), pressing(1), pressing(1)}, 8), (SlackReport{12, 4}));
 }
 
 TEST_F(MatchPlayerTest, SlackIsThatOfTheOldestNewInputThatChangesTheButtons) {
-  receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1)}, 5}, 8);
-  player_.inputs().takeLinkReport();
+  add(10, {pressing(1), pressing(1), pressing(1)}, 8);
   // The message with the change at tick 13 was lost.
-  receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1), pressing(2), pressing(2)}, 7}, 14);
-  EXPECT_EQ(takeSlack(), (SlackReport{13, -1}));
-  // A change in the first input after the known ones.
-  receive(player_, {1, 0, 0, 0, 15, {pressing(4)}, 8}, 14);
-  EXPECT_EQ(takeSlack(), (SlackReport{15, 1}));
-}
-
-TEST_F(MatchPlayerTest, TheSmallestSlackSinceTheLastReportIsReported) {
-  receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 1}, 9);
-  receive(player_, {1, 0, 0, 0, 11, {pressing(2)}, 2}, 14);
-  receive(player_, {1, 0, 0, 0, 12, {pressing(1)}, 3}, 11);
-  EXPECT_EQ(takeSlack(), (SlackReport{11, -3}));
+  EXPECT_EQ(add(10, {pressing(1), pressing(1), pressing(1), pressing(2), pressing(2)}, 14), (SlackReport{13, -1}));
+  EXPECT_EQ(add(15, {pressing(4)}, 14), (SlackReport{15, 1})) << "a change in the first input after the known ones";
 }
 
 TEST_F(MatchPlayerTest, SlackIsClamped) {
-  receive(player_, {1, 0, 0, 0, 100000, {pressing(1)}, 1}, 0);
-  EXPECT_EQ(takeSlack(), (SlackReport{100000, kMaxSlack}));
+  EXPECT_EQ(add(100000, {pressing(1)}, 0), (SlackReport{100000, kMaxSlack}));
+  EXPECT_EQ(add(100001, {pressing(2)}, 200000), (SlackReport{100001, -kMaxSlack}));
 }
 
 TEST_F(MatchPlayerTest, RepeatedInputsHaveNoSlack) {
-  receive(player_, {1, 0, 0, 0, 14, {pressing(2), pressing(4)}, 9}, 15);
-  player_.inputs().takeLinkReport();
-  receive(player_, {1, 0, 0, 0, 14, {pressing(2), pressing(4)}, 10}, 16);
-  const auto report = player_.inputs().takeLinkReport();
-  ASSERT_TRUE(report);
-  EXPECT_FALSE(report->slack);
-  EXPECT_EQ(report->sequence, 10);
+  EXPECT_TRUE(add(14, {pressing(2), pressing(4)}, 15));
+  EXPECT_FALSE(add(14, {pressing(2), pressing(4)}, 16));
+  EXPECT_FALSE(add(16, {}, 16)) << "none at all";
 }
 
-TEST_F(MatchPlayerTest, LossIsMeasuredOnSequenceNumbers) {
-  receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 5}, 8);
-  receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 7}, 8);
-  const auto report = player_.inputs().takeLinkReport();
-  ASSERT_TRUE(report);
-  EXPECT_EQ(report->lostPercent, 33);
-  EXPECT_EQ(report->sequence, 7);
+TEST_F(MatchPlayerTest, ANewRoundBeginsWithoutInputs) {
+  add(5, {pressing(1)});
+  player_.startRound(3);
+  EXPECT_EQ(add(3, {pressing(2)}, 3), (SlackReport{3, 0}));
+  EXPECT_EQ(player_.decideInput(), pressing(2));
 }
 
-TEST_F(MatchPlayerTest, AMessageBeforeTheLastStateOrAcknowledgementIsNotCurrent) {
-  const auto message = [](std::uint8_t sync, std::uint32_t confirmed) {
-    return PlayerInputs{1, sync, confirmed, 0, confirmed, {}, 0};
-  };
-  player_.ticks().acknowledge(20);
-  EXPECT_TRUE(player_.isCurrent(message(0, 20)));
-  EXPECT_FALSE(player_.isCurrent(message(0, 19)));
-  player_.transfers().sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 0);
-  player_.ticks().acknowledge(30);
-  EXPECT_FALSE(player_.isCurrent(message(0, 30)));
-  EXPECT_TRUE(player_.isCurrent(message(1, 30)));
-}
-
-TEST_F(MatchPlayerTest, ANewRoundCancelsTheTransferOfAStateButNotOfALevel) {
-  player_.transfers().sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 0);
-  player_.transfers().sendLevel(Transfer(levelOf(farGoalText())));
-  player_.startRound();
-  EXPECT_EQ(takeLevels(), 1u);
-  EXPECT_FALSE(player_.ticks().started());
-}
-
-TEST_F(MatchPlayerTest, ResumingKeepsSlotAndTokenAndDiscardsAllElse) {
-  player_.ticks().acknowledge(20);
-  player_.transfers().sendLevel(Transfer(levelOf(farGoalText())));
-  receive(player_, {1, 0, 0, 0, 0, {pressing(1)}, 5}, 0);
-  player_.resume("Anna");
-  EXPECT_EQ(player_.slot(), 0u);
-  EXPECT_EQ(player_.name(), "Anna");
-  EXPECT_TRUE(player_.hasToken(SessionToken{1, 2, 3}));
-  EXPECT_EQ(player_.ticks().acknowledged(), 0u);
-  EXPECT_FALSE(player_.transfers().nextChunk());
-  EXPECT_FALSE(player_.inputs().takeLinkReport());
-  EXPECT_EQ(player_.inputs().decide(), Input{});
+TEST_F(MatchPlayerTest, WhoResumesHoldsTheLastInputAndNoneOfTheOldClientFollows) {
+  add(0, {pressing(1), pressing(2)});
+  EXPECT_EQ(player_.decideInput(), pressing(1));
+  player_.resume();
+  EXPECT_EQ(player_.decideInput(), pressing(1));
+  EXPECT_TRUE(add(0, {pressing(1), pressing(2)}, 2)) << "they are new again";
 }
 
 TEST_F(MatchPlayerTest, IsActiveForAMinuteAfterTheLastChangedButton) {
   const std::uint64_t limit = MatchPlayer::kActiveTicks;
   EXPECT_TRUE(player_.isActive(limit - 1));
   EXPECT_FALSE(player_.isActive(limit));
-  player_.addInputs({1, 0, 0, 0, 0, {pressing(0), pressing(0)}, 5}, 0, 10);
+  add(0, {pressing(0), pressing(0)}, 0, 10);
   EXPECT_FALSE(player_.isActive(limit)) << "no button was pressed";
-  player_.addInputs({1, 0, 0, 0, 1, {pressing(0), pressing(1)}, 6}, 0, 20);
+  add(1, {pressing(0), pressing(1)}, 0, 20);
   EXPECT_TRUE(player_.isActive(20 + limit - 1));
   EXPECT_FALSE(player_.isActive(20 + limit));
-  player_.addInputs({1, 0, 0, 0, 1, {pressing(0), pressing(1), pressing(1)}, 7}, 0, 30);
+  add(1, {pressing(0), pressing(1), pressing(1)}, 0, 30);
   EXPECT_FALSE(player_.isActive(20 + limit)) << "inputs that are repeated or held are no change";
-  player_.startRound();
-  player_.addInputs({2, 0, 0, 0, 0, {pressing(1)}, 8}, 0, 40);
+  player_.startRound(0);
+  add(0, {pressing(1)}, 0, 40);
   EXPECT_FALSE(player_.isActive(20 + limit)) << "a button may be held from one round to the next";
-  player_.addInputs({2, 0, 0, 0, 1, {pressing(0)}, 9}, 0, 50);
+  add(1, {pressing(0)}, 0, 50);
   EXPECT_TRUE(player_.isActive(50 + limit - 1)) << "a release is a change";
-}
-
-TEST_F(MatchPlayerTest, OnlyAPlayerWithATokenCanBeResumed) {
-  EXPECT_TRUE(player_.canResume());
-  EXPECT_FALSE(player_.hasToken(SessionToken{1, 2, 4}));
-  const MatchPlayer without(0, "Ben", std::nullopt, 0);
-  EXPECT_FALSE(without.canResume());
-  EXPECT_FALSE(without.hasToken(SessionToken{}));
 }
 
 }  // namespace

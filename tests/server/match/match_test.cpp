@@ -161,7 +161,7 @@ TEST(Match, ALateInputIsReplacedByTheLastOneAndReportedToItsClient) {
   EXPECT_EQ(decided.rbegin()->second, pressing(0));
   ASSERT_TRUE(network.client(1).slack());
   EXPECT_EQ(network.client(1).slack()->slack, 5 - 2 * 4);
-  EXPECT_GT(network.match().player(1)->inputs().missed(), 100u);
+  EXPECT_GT(network.match().find(1)->first().missedInputs(), 100u);
 }
 
 // Level and state follow Welcome without a request.
@@ -252,7 +252,7 @@ TEST(Match, ASlotIsFreeOnlyAfterATickWithoutItsPlayer) {
   EXPECT_FALSE(network.match().game().player(1).present);
   network.match().receive(9, Hello{});
   ASSERT_TRUE(network.match().isPlaying(9));
-  EXPECT_EQ(network.match().player(9)->slot(), 1u);
+  EXPECT_EQ(network.match().find(9)->first().slot(), 1u);
 }
 
 TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {

@@ -89,7 +89,7 @@ TEST_F(ResumeMatch, AnotherTokenResumesNothing) {
   guess[15] ^= 1;
   network_.match().receive(9, Hello{kRulesVersion, "Eve", guess});
   ASSERT_TRUE(network_.match().isPlaying(9));
-  EXPECT_EQ(network_.match().player(9)->slot(), 1u);
+  EXPECT_EQ(network_.match().find(9)->first().slot(), 1u);
 }
 
 // A client whose address changes reconnects before the server detects that the old connection is lost.
