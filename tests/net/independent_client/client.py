@@ -14,7 +14,7 @@ LARGEST_MESSAGE = 1152
 
 
 class Client:
-    """Plays: holds a button from its first input on."""
+    """Plays: each of its players holds a button from its first input on."""
 
     def __init__(self, socket, version, password=""):
         self._link = Link(socket, version, password)
@@ -24,7 +24,9 @@ class Client:
         self._next_inputs = 0
         self._sequence = 0
         self.buttons = None
+        self.companion_buttons = {}  # by local number
         self.welcome = self.bye = self.last_ticks = None
+        self.local_slots = None
         self.roster = {}
         self.notice = None
         self.round_end = None
@@ -43,6 +45,18 @@ class Client:
     def leave(self):
         self._enet.send(messages.leave())
         self.until(self._enet.idle, "acknowledge Leave")
+
+    def add_companion(self, local, name):
+        self._enet.send(messages.companion(local, True, name))
+        self._take_answer()
+
+    def remove_companion(self, local):
+        self._enet.send(messages.companion(local, False))
+        self._take_answer()
+
+    def _take_answer(self):
+        self.local_slots = None
+        self.until(lambda: self.local_slots, "answer Companion")
 
     def vote(self):
         self._enet.send(messages.vote(self.last_ticks.round, True))
@@ -76,10 +90,12 @@ class Client:
 
     def _send_inputs(self):
         runs = [] if self.buttons is None else [(self.buttons, 40)]
+        first = self.confirmed + 2
+        companions = [per_tick.Companion(local, first, [(buttons, 40)]) for local, buttons in sorted(self.companion_buttons.items())]
         self._sequence = (self._sequence + 1) & 0xFF
         self._enet.send_unsequenced(per_tick.Inputs(
-            self.last_ticks.round, self._sequence, self.sync, self.confirmed, self.hash, self.confirmed + 2,
-            runs).encode())  # fmt: skip
+            self.last_ticks.round, self._sequence, self.sync, self.confirmed, self.hash, first, runs,
+            companions).encode())  # fmt: skip
 
     def _take(self, message):
         if message[0] == per_tick.MARK:
@@ -133,6 +149,7 @@ _HANDLERS = {
     messages.VoteCount: _ignore,
     messages.PlayerChat: _ignore,
     messages.RoundTrips: _ignore,
+    messages.LocalSlots: lambda client, message: setattr(client, "local_slots", message),
     messages.Notice: lambda client, message: setattr(client, "notice", message.text),
     messages.Bye: lambda client, message: setattr(client, "bye", message),
 }

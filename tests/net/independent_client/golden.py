@@ -20,11 +20,16 @@ TO_CLIENT = {
     "vote-count": messages.VoteCount(3, 2, 5),
     "player-chat": messages.PlayerChat(5, "Wait!", 0),
     "round-trips": messages.RoundTrips(bytes([11, 0, 1, 255])),
+    "local-slots": messages.LocalSlots({0: 3, 1: 5}, ""),
     "round-end": messages.RoundEnd(3, 1800, 0x0123456789ABCDEF, "Corners", 300, 743, "Ann", True),
 }
 
+COMPANION = (1, True, "Ben")
+
 INPUTS = per_tick.Inputs(3, 18, 1, 300, 0x89ABCDEF, 302, [
     (per_tick.RIGHT, 2), (per_tick.RIGHT | per_tick.JUMP, 1), (0, 9)])  # fmt: skip
+INPUTS_OF_TWO = per_tick.Inputs(3, 18, 1, 300, 0x89ABCDEF, 302, [(per_tick.RIGHT, 2)], [
+    per_tick.Companion(1, 303, [(per_tick.LEFT, 1)])])  # fmt: skip
 TICKS = per_tick.Ticks(3, 300, 8, 0x89ABCDEF, 96, per_tick.Link(17, 5, 4, 313), [
     per_tick.Change(300, 0, True, per_tick.RIGHT), per_tick.Change(300, 5, False, 0),
     per_tick.Change(307, 0, True, per_tick.RIGHT | per_tick.JUMP)])  # fmt: skip
@@ -57,6 +62,7 @@ class Golden:
             "query": handshake.query(self.version, NONCE),
             "sealed-to-server": Sealer(to_server, SLOT).seal(CONTENT),
             "inputs": INPUTS.encode(),
+            "inputs-of-two": INPUTS_OF_TWO.encode(),
             "hello": self.hello,
             "vote": messages.vote(3, True),
             "chat": messages.emote(2),
@@ -81,7 +87,7 @@ def check_page(page):
         _check_both(name, page, answer.encode(golden.version), handshake.decode, answer)
     _check_sealed(page, *golden.keys)
     _check_messages(page, golden.hello)
-    others = page.names() - golden.of_client().keys() - golden.of_server().keys() - TO_CLIENT.keys() - {"sealed-to-client", "ticks"}
+    others = page.names() - golden.of_client().keys() - golden.of_server().keys() - TO_CLIENT.keys() - {"sealed-to-client", "ticks", "companion"}
     check(not others, f"nothing checks these blocks: {', '.join(sorted(others))}")
 
 
@@ -114,9 +120,12 @@ def _flipped(data, bit):
 def _check_messages(page, hello):
     _check_both("ticks", page, TICKS.encode(), per_tick.decode_ticks, TICKS)
     _check_both("inputs", page, INPUTS.encode(), per_tick.decode_inputs, INPUTS)
+    _check_both("inputs-of-two", page, INPUTS_OF_TWO.encode(), per_tick.decode_inputs, INPUTS_OF_TWO)
     for name, message in TO_CLIENT.items():
         decoded = messages.decode(page.block(name))
         check(decoded == message, f"the block '{name}' was decoded as {decoded}")
     _check_both("vote", page, messages.vote(3, True), messages.decode_vote, (3, True))
+    for data in (page.block("companion"), messages.companion(*COMPANION)):  # FlatBuffers leave the padding of a table open
+        check(messages.decode_companion(data) == COMPANION, f"Companion was decoded as {messages.decode_companion(data)}")
     _check_both("chat", page, messages.emote(2), messages.decode_chat, ("", 2))
     _check_both("hello", page, hello, messages.decode_hello, (page.rules_version(), "Ann", b"", []))

@@ -28,6 +28,7 @@ import processes  # noqa: E402
 
 LEVEL = "tests/determinism/golden/levels/icosahedron.level"
 NAME = "Quixotic Axolotl"
+COMPANION = "Obstinate Quokka"
 NOTICE = "Restart at noon: Łódź"
 PASSWORD = "correct horse battery staple"
 READABLE_BYTES = 6
@@ -64,9 +65,10 @@ class Visit:
         self.meet_other_versions()
         client = self.join()
         self.play(client)
+        self.play_with_companion(client)
         self.hear_the_operator(client)
         self.vote(client)
-        self.ask_for_info(players=1)
+        self.ask_for_info(players=2)
         self.move_to_another_port(client)
         client.disconnect()
         self.leave(self.resume(client))
@@ -134,14 +136,27 @@ class Visit:
         client.until(lambda: client.roster.get(slot) == NAME, "name the client's player")
         check(client.sync == 0, "the server sent a full state to a client with the right hash")
 
+    def play_with_companion(self, client):
+        own = client.welcome.slot
+        client.add_companion(4, COMPANION)
+        check(client.local_slots.slots == {0: own} and client.local_slots.reason, f"a fifth player is answered with {client.local_slots}")
+        client.add_companion(2, COMPANION)
+        slot = client.local_slots.slots.get(2)
+        check(slot not in (None, own) and not client.local_slots.reason, f"a companion is answered with {client.local_slots}")
+        client.until(lambda: client.roster.get(slot) == COMPANION, "name the companion")
+        check(slot not in client.players, "a companion is in the game before its first input")
+        client.companion_buttons = {2: per_tick.LEFT}
+        client.until(lambda: client.players.get(slot) == per_tick.LEFT, "play the companion's input")
+        check(client.players[own] == client.buttons, "the companion's input is that of the first player")
+
     def hear_the_operator(self, client):
         self._server.command(f"say {NOTICE}")
         client.until(lambda: client.notice == NOTICE, "send the text of its operator")
 
     def vote(self, client):
-        """The only player is a majority. The rotation has one level."""
+        """The only client is a majority. The rotation has one level."""
         client.vote()
-        client.until(lambda: client.round_end, "end the round that the only player has voted to end")
+        client.until(lambda: client.round_end, "end the round that the only client has voted to end")
         end = client.round_end
         found = end.round, end.next_level_hash, end.pause_ticks, end.best_ticks
         expected = client.last_ticks.round, messages.hash_of_level(self._level), 300, 0
@@ -165,6 +180,10 @@ class Visit:
         client.join(self._rules_version, NAME, self._token)
         slot = client.welcome.slot
         check(slot == before.welcome.slot, "a client that resumes has another slot")
+        client.until(lambda: client.local_slots, "send the slots of all players that a client resumes")
+        check(client.local_slots.slots == before.local_slots.slots, f"the slots after resuming are {client.local_slots}")
+        client.remove_companion(2)
+        check(client.local_slots.slots == {0: slot}, f"a companion that leaves is answered with {client.local_slots}")
         client.until(lambda: client.sync and client.last_ticks, "send the full state and ticks after it")
         check(slot in client.players, "a client that resumes has no player")
         client.buttons = per_tick.LEFT

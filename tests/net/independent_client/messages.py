@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import flat
 from failure import Failure
 
-HELLO, LEVEL_REQUEST, LEAVE, VOTE, CHAT = range(1, 6)
+HELLO, LEVEL_REQUEST, LEAVE, VOTE, CHAT, COMPANION = range(1, 7)
 
 
 def hash_of_level(level):
@@ -40,6 +40,16 @@ def vote(round_, next_):
 
 def emote(number):
     return _to_server(CHAT, flat.NewTable(None, flat.Number(number, 4)))
+
+
+def companion(local, joins, name=""):
+    return _to_server(COMPANION, flat.NewTable(flat.Number(local, 4), flat.Number(int(joins), 1), flat.text(name)))
+
+
+def decode_companion(data):
+    """(local, joins, name)"""
+    body = flat.Table(data).table(1)
+    return body.number(0, 4), bool(body.number(1, 1)), body.text(2)
 
 
 def decode_chat(data):
@@ -149,6 +159,17 @@ class RoundTrips:
     codes: bytes
 
 
+@dataclass
+class LocalSlots:
+    slots: dict  # by local number
+    reason: str
+
+
+def _local_slots(body):
+    taken, slots = body.number(0, 1), body.bytes(1)
+    return LocalSlots({local: slot for local, slot in enumerate(slots) if taken >> local & 1}, body.text(2))
+
+
 def _round_end(body):
     pause_and_best = body.number(4, 4), body.number(5, 4), body.text(6), bool(body.number(7, 1))
     return RoundEnd(*_numbers(body, 4, 4, 8), body.text(3), *pause_and_best)
@@ -176,6 +197,7 @@ _READERS = (
     lambda body: VoteCount(*_numbers(body, 4, 4, 4)),
     lambda body: PlayerChat(body.number(0, 4), body.text(1), body.number(2, 4)),
     lambda body: RoundTrips(body.bytes(0)),
+    _local_slots,
 )
 
 

@@ -65,6 +65,16 @@ def _reader_of(message):
 
 
 @dataclass
+class Companion:
+    local: int
+    first: int
+    runs: list  # as in Inputs
+
+    def encode(self, first):
+        return bytes([NO_PLAYER | self.local << 6]) + varint(self.first - first) + _runs(self.runs)
+
+
+@dataclass
 class Inputs:
     round: int
     sequence: int
@@ -73,11 +83,16 @@ class Inputs:
     hash: int
     first: int
     runs: list = field(default_factory=list)  # (buttons, number of ticks)
+    companions: list = field(default_factory=list)
 
     def encode(self):
         head = bytes([MARK]) + varint(self.round) + bytes([self.sequence, self.sync]) + varint(self.confirmed)
         head += self.hash.to_bytes(4, "little") + varint(self.first - self.confirmed)
-        return head + b"".join(_run(buttons, ticks) for buttons, ticks in self.runs)
+        return head + _runs(self.runs) + b"".join(companion.encode(self.first) for companion in self.companions)
+
+
+def _runs(runs):
+    return b"".join(_run(buttons, ticks) for buttons, ticks in runs)
 
 
 def _run(buttons, ticks):
@@ -88,9 +103,14 @@ def decode_inputs(message):
     reader = _reader_of(message)
     found = Inputs(reader.varint(), reader.byte(), reader.byte(), reader.varint(), reader.fixed32(), 0)
     found.first = found.confirmed + reader.varint()
+    runs = found.runs
     while reader.more():
         byte = reader.byte()
-        found.runs.append((byte & CODE, byte >> 6 or reader.varint() + 4))
+        if byte & CODE == NO_PLAYER:
+            found.companions.append(Companion(byte >> 6, found.first + reader.varint(), []))
+            runs = found.companions[-1].runs
+        else:
+            runs.append((byte & CODE, byte >> 6 or reader.varint() + 4))
     return found
 
 
