@@ -68,6 +68,23 @@ glm::dvec2 onFace(const SolidMesh& mesh, int face, glm::dvec3 vector, double w) 
   return glm::dvec2(glm::inverse(mesh.faceToWorld(face)) * glm::dvec4(vector, w));
 }
 
+// An edge of a face, and the point of its line that is nearest to a place on the face, in the frame of the face.
+struct EdgeFoot {
+  glm::dvec2 outwards{0};  // unit
+  double distance = 0;     // from the place
+  double aside = 0;        // from the middle of the edge
+  double height = 0;       // of the edge over the middle of the face
+
+  glm::dvec2 at(double along) const { return height * outwards + along * glm::dvec2(-outwards.y, outwards.x); }
+  glm::dvec2 point() const { return at(aside); }
+};
+
+EdgeFoot edgeFoot(const SolidMesh& mesh, int edge, glm::dvec2 place) {
+  const glm::dvec2 outwards = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
+  const glm::dvec2 along(-outwards.y, outwards.x);
+  return {outwards, mesh.apothem() - glm::dot(outwards, place), glm::dot(along, place), mesh.apothem()};
+}
+
 }  // namespace
 
 std::vector<double> freeFaces(const StageModel& stage, const ElementStates& states, const Pose& player) {
@@ -77,13 +94,11 @@ std::vector<double> freeFaces(const StageModel& stage, const ElementStates& stat
   std::vector<double> free(static_cast<std::size_t>(mesh.faces()), 0);
   std::vector<bool> isBeside(free.size());
   for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
-    const glm::dvec2 outwards = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
-    const glm::dvec2 along(-outwards.y, outwards.x);
-    const double half = mesh.faceSize() / 2.0;
-    const glm::dvec2 foot = mesh.apothem() * outwards + std::clamp(glm::dot(place, along), -half, half) * along;
+    const EdgeFoot foot = edgeFoot(mesh, edge, place);
+    const double half = mesh.faceSize() / 2;
     const std::size_t next = mesh.solid().neighbour(own, edge).face;
     isBeside[next] = true;
-    free[next] = wayIsFree(stage, states, own, place, foot) ? 1 : 0;
+    free[next] = wayIsFree(stage, states, own, place, foot.at(std::clamp(foot.aside, -half, half))) ? 1 : 0;
   }
   for (std::size_t face = 0; face < free.size(); ++face) {
     if (isBeside[face] || face == static_cast<std::size_t>(own)) continue;
@@ -132,16 +147,15 @@ void EdgeCrossing::light(const StageModel& stage, const ElementStates& states, c
   const SolidMesh& mesh = stage.mesh;
   const glm::dvec2 place = onFace(mesh, face_, pose.position, 1);
   for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
-    const glm::dvec2 outwards = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
-    const double distance = mesh.apothem() - glm::dot(outwards, place);
-    const glm::dvec2 foot = place + distance * outwards;
-    const bool beside = std::abs(glm::dot(glm::dvec2(-outwards.y, outwards.x), foot)) < mesh.faceSize() / 2;
-    if (distance > kReach || !beside || !wayIsFree(stage, states, face_, place, foot)) continue;
-    const double towards = glm::dot(glm::dvec3(mesh.faceToWorld(face_) * glm::dvec4(outwards, 0, 0)), way) / passed;
-    const double wanted = glm::smoothstep(0.0, 1.0, 1 - distance / kReach) *
+    const EdgeFoot foot = edgeFoot(mesh, edge, place);
+    const bool beside = std::abs(foot.aside) < mesh.faceSize() / 2;
+    if (foot.distance > kReach || !beside || !wayIsFree(stage, states, face_, place, foot.point())) continue;
+    const glm::dvec3 outwards(mesh.faceToWorld(face_) * glm::dvec4(foot.outwards, 0, 0));
+    const double towards = glm::dot(outwards, way) / passed;
+    const double wanted = glm::smoothstep(0.0, 1.0, 1 - foot.distance / kReach) *
                           glm::mix(kStill, 1.0, std::clamp(towards / kFullSpeed, 0.0, 1.0));
     Glow& glow = glowOf(mesh, edge);
-    glow.foot = {face_, glm::vec2(foot), angleOf(outwards)};
+    glow.foot = {face_, glm::vec2(foot.point()), angleOf(foot.outwards)};
     glow.light += std::clamp(wanted - glow.light, 0.0, passed * (1 / kRiseSeconds + 1 / kFadeSeconds));
   }
 }
