@@ -19,6 +19,8 @@ constexpr double kNearest = 0.75;   // of the distance from the player, in targe
 // Of half a view. With the shift of the framing, both together are less than kMiddle.
 constexpr glm::dvec2 kMaxLookAhead(0.24, 0.18);
 constexpr double kCutAngle = 1.6;   // radians from the target from which the camera jumps there
+constexpr double kLeanRate = 3;     // of the approach to level floors where the player rests, per second
+constexpr double kLeanPart = 0.3;   // of the largest roll
 constexpr double kCutOffset = 1.0;  // distance of the player from the middle, in half views, from which it jumps
 
 // The smallest rotation from one unit vector to another; about `axis` if they are opposite.
@@ -31,9 +33,9 @@ glm::dquat rotationBetween(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis) {
 
 double angleBetween(glm::dvec3 a, glm::dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
-// Angle about `axis` between two vectors perpendicular to it, radians counter-clockwise.
-double angleAbout(glm::dvec3 axis, glm::dvec3 from, glm::dvec3 to) {
-  return std::atan2(glm::dot(axis, glm::cross(from, to)), glm::dot(from, to));
+// The angle from the roll of one target to that of another with the same line of sight.
+double rollBetween(const CameraTarget& from, const CameraTarget& to) {
+  return angleAbout(from.back(), from.orientation * glm::dvec3(1, 0, 0), to.orientation * glm::dvec3(1, 0, 0));
 }
 
 glm::dquat partOf(glm::dquat turn, double part) { return glm::slerp(glm::dquat(1, 0, 0, 0), turn, part); }
@@ -50,7 +52,9 @@ void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, st
   hold_.reset();
   lookAhead_.reset(player);
   radius_ = stage.circumradius();
-  const CameraTarget target = restingTarget(player, stage, zoom_, peek_);
+  const CameraTarget moving = cameraTarget(player, stage, zoom_, {peek_});
+  const CameraTarget target = levelled(moving, player, stage);
+  lean_ = rollBetween(moving, target);
   const bool stands = comfort_.view != CameraView::kFollow;
   base_ = stands ? hold_.view(player, stage, zoom_)
                  : ViewPoint{target.orientation,
@@ -61,6 +65,7 @@ void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, st
 void Camera::place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage) {
   const glm::dvec3 back = glm::normalize(eye);
   base_ = shown_ = {levelOrientation(back, glm::cross(up, back)), eye};
+  lean_ = 0;
   radius_ = stage.circumradius();
 }
 
@@ -74,12 +79,16 @@ void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
   }
   const bool rests = lookAhead_.isAt(player);
   lookAhead_.move(player);
-  const CameraTarget target = rests ? restingTarget(player, stage, zoom_, peek_)
-                                    : cameraTarget(player, stage, zoom_, {peek_, lookAhead_.rise()});
+  const CameraTarget moving = cameraTarget(player, stage, zoom_, {peek_, rests ? 0 : lookAhead_.rise()});
+  const CameraTarget level = levelled(moving, player, stage);
+  const CameraTarget& target = rests ? level : moving;
   if (comfort_.instantCut || !isNear(player, target)) return set(player, stage, width_, height_);
   const glm::dvec3 offset = offsetAfter(player, target, framedOffset(target, player.position, stage), seconds);
   lookAhead_.wait(seconds);
-  turn(player, target, seconds);
+  base_.orientation = glm::angleAxis(-lean_, base_.back()) * base_.orientation;
+  turn(player, moving, seconds);
+  lean((rests ? 1 : moving.level) * rollBetween(moving, level), seconds);
+  base_.orientation = glm::normalize(glm::angleAxis(lean_, base_.back()) * base_.orientation);
   base_.eye = player.position + base_.orientation * offset;
   shown_ = base_;
   radius_ = stage.circumradius();
@@ -102,11 +111,21 @@ void Camera::turn(const Pose& player, const CameraTarget& target, double seconds
   const double maxSwing = comfort_.reducedMotion ? kSlowSwing : kMaxSwing;
   const double left = leftAfter(std::min(angle, longest), kFollowSpeed, maxSwing, seconds);
   if (angle > 0) base_.orientation = partOf(swing, 1 - left / angle) * base_.orientation;
-  const double maxRoll = comfort_.reducedMotion ? kSlowRoll : comfort_.maxRoll();
-  const double rollLeft = leftAfter(std::abs(roll), comfort_.turnRate, maxRoll, seconds);
+  const double rollLeft = leftAfter(std::abs(roll), comfort_.turnRate, (1 - kLeanPart) * maxRoll(), seconds);
   const double rolled = std::copysign(std::abs(roll) - rollLeft, roll);
-  base_.orientation = glm::normalize(glm::angleAxis(rolled, base_.back()) * base_.orientation);
+  base_.orientation = glm::angleAxis(rolled, base_.back()) * base_.orientation;
 }
+
+// The roll of a player who moves and the lean of one who rests are independent of each other, too. The lean is slow,
+// so that the picture does not jerk where the player stops or starts near an edge.
+void Camera::lean(double wanted, double seconds) {
+  const double missing = wanted - lean_;
+  const double left =
+      leftAfter(std::abs(missing), std::min(kLeanRate, comfort_.turnRate), kLeanPart * maxRoll(), seconds);
+  lean_ = wanted - std::copysign(left, missing);
+}
+
+double Camera::maxRoll() const { return comfort_.reducedMotion ? kSlowRoll : comfort_.maxRoll(); }
 
 // From the player to the eye, in the axes of the camera, `seconds` after now. `still` is where it would be if the
 // player had not moved.

@@ -76,6 +76,8 @@ class Camera {
 
  private:
   bool isNear(const Pose& player, const CameraTarget& target) const;
+  double maxRoll() const;
+  void lean(double wanted, double seconds);
   void turn(const Pose& player, const CameraTarget& target, double seconds);
   glm::dvec3 offsetAfter(const Pose& player, const CameraTarget& target, glm::dvec3 still, double seconds) const;
 
@@ -83,6 +85,7 @@ class Camera {
   ViewPoint shown_;
   LookAhead lookAhead_;
   FaceHold hold_;
+  double lean_ = 0;      // of base_ for level floors at rest, radians counter-clockwise
   double radius_ = 500;  // circumradius of the solid, for the depth range
   double reach_ = 0;
   double zoom_ = 1;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,6 +19,8 @@ constexpr double kMaxView = 760;
 constexpr double kViewOfFace = 1.3;  // the same in incircle diameters of a face, between the two bounds
 constexpr double kZoneOfFace = 0.5;  // largest edge zone in apothems
 constexpr double kMostOfZone = 0.5;  // of a rise that is not seen yet
+constexpr double kLevelFrom = 0.5;   // distance from an edge in zones, from which floors become level on the way
+constexpr double kLevelTo = 1.5;
 constexpr double kPartOfRay = 0.35;  // more shows more of the neighbours, and tilts the floors more
 
 double depthBelow(const SolidMesh& mesh, int face, glm::dvec3 place) {
@@ -25,43 +29,69 @@ double depthBelow(const SolidMesh& mesh, int face, glm::dvec3 place) {
 
 double zoneOf(const SolidMesh& mesh) { return std::min(CameraTarget::kEdgeZone, kZoneOfFace * mesh.apothem()); }
 
-// From 0 to 1 in the zone at the edge of a neighbouring face, for the depth below its plane.
+// From 0 to 1 in the zone at the edge of a neighbouring face, for the depth below its plane: so that the mean of both
+// normals turns evenly on the way over the edge.
 double nearness(const SolidMesh& mesh, double depth) {
-  return std::clamp(1 - depth / (zoneOf(mesh) * std::sin(mesh.dihedral())), 0.0, 1.0);
-}
-
-// On the face of the player.
-double distanceFromEdges(const SolidMesh& mesh, const Pose& player) {
-  double least = mesh.circumradius();
-  for (int face = 0; face < mesh.faces(); ++face) {
-    if (glm::dot(mesh.normal(face), player.normal) > 1 - 1e-6) continue;
-    least = std::min(least, depthBelow(mesh, face, player.position));
-  }
-  return std::max(least, 0.0) / std::sin(mesh.dihedral());
+  const double part = std::max(depth, 0.0) / (zoneOf(mesh) * std::sin(mesh.dihedral()));
+  return std::max(1 - part, 0.0) / (1 + part);
 }
 
 double weightOf(PeekWeights weights, int face) { return weights.empty() ? 1 : weights[static_cast<std::size_t>(face)]; }
 
-// The player's right, at an edge the mean of its directions on both faces. Where two edges are equally near it is that
-// on the face itself: so it turns evenly on a way round a corner.
-glm::dvec3 rightOf(const Pose& player, const SolidMesh& mesh, PeekWeights weights) {
-  int nearest = 0;
-  double first = 4 * mesh.circumradius();
-  double second = first;
-  for (int face = 0; face < mesh.faces(); ++face) {
-    if (glm::dot(mesh.normal(face), player.normal) > 1 - 1e-6) continue;
-    const double depth = std::max(depthBelow(mesh, face, player.position), 0.0);
-    second = std::min(second, std::max(first, depth));
-    if (depth >= first) continue;
-    first = depth;
-    nearest = face;
+// An edge of the player's face.
+struct NearEdge {
+  double distance = 0;  // of the player, level units
+  int beyond = 0;       // the face there
+  glm::dvec3 along{0};  // unit
+};
+
+// The edges of the player's face, the nearest first.
+std::vector<NearEdge> edgesByDistance(const SolidMesh& mesh, const Pose& player) {
+  std::vector<NearEdge> edges;
+  const int own = mesh.faceTowards(player.normal);
+  for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
+    const int beyond = static_cast<int>(mesh.solid().neighbour(own, edge).face);
+    const double depth = std::max(depthBelow(mesh, beyond, player.position), 0.0);
+    const glm::dvec3 along = glm::normalize(glm::cross(player.normal, mesh.normal(beyond)));
+    edges.push_back({depth / std::sin(mesh.dihedral()), beyond, along});
   }
-  const glm::dvec3 right = glm::cross(player.up, player.normal);
-  const double part = weightOf(weights, nearest) * nearness(mesh, first) * (1 - first / std::max(second, 1e-9));
-  return part > 0 ? right + part * rotatedBetween(right, player.normal, mesh.normal(nearest)) : right;
+  std::sort(edges.begin(), edges.end(), [](const NearEdge& a, const NearEdge& b) { return a.distance < b.distance; });
+  return edges;
+}
+
+// The share of the nearest edge in the turn of the picture near two edges, -1 … 1 from the second one to it: as even
+// as the way round their corner. Where two edges are equally far, 0.
+double shareOfNearest(const std::vector<NearEdge>& edges) {
+  const double first = edges[0].distance;
+  const double second = edges[1].distance;
+  const double third = edges[2].distance;
+  const double interior = std::numbers::pi * (1 - 2.0 / static_cast<double>(edges.size()));
+  const double nearest = second * (third - first);
+  const double next = first * (third - second);
+  if (nearest + next <= 0) return 0;
+  return std::atan((nearest - next) / (nearest + next) * std::tan(interior / 2)) / (interior / 2);
+}
+
+// The angle about `back` by which an edge is aslant if the face is tilted the shortest way to `back`.
+double slant(const NearEdge& edge, glm::dvec3 normal, glm::dvec3 back) {
+  return angleAbout(back, rotatedBetween(edge.along, normal, back), edge.along - back * glm::dot(back, edge.along));
+}
+
+// The player's right in the picture of a player who moves. The face is tilted to `back`, and turned so that the nearest
+// edge lies in the picture as it does in space: so both its faces agree there, whichever way the player's up points.
+glm::dvec3 rightOf(const Pose& player, const std::vector<NearEdge>& edges, glm::dvec3 back, PeekWeights weights) {
+  const double share = shareOfNearest(edges);
+  const double turn = (1 + share) / 2 * weightOf(weights, edges[0].beyond) * slant(edges[0], player.normal, back) +
+                      (1 - share) / 2 * weightOf(weights, edges[1].beyond) * slant(edges[1], player.normal, back);
+  const glm::dvec3 right = rotatedBetween(glm::cross(player.up, player.normal), player.normal, back);
+  return glm::angleAxis(turn, back) * right;
 }
 
 }  // namespace
+
+double angleAbout(glm::dvec3 axis, glm::dvec3 from, glm::dvec3 to) {
+  return std::atan2(glm::dot(axis, glm::cross(from, to)), glm::dot(from, to));
+}
 
 glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right) {
   glm::dvec3 seen = right - back * glm::dot(back, right);
@@ -80,12 +110,14 @@ glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place, PeekWeights we
 }
 
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom, const Peek& peek) {
-  const double rise = std::clamp(peek.rise, -distanceFromEdges(mesh, player), kMostOfZone * zoneOf(mesh));
+  const std::vector<NearEdge> edges = edgesByDistance(mesh, player);
+  const double rise = std::clamp(peek.rise, 0.0, kMostOfZone * zoneOf(mesh));
   const glm::dvec3 place = mesh.onSurface(player.position - rise * player.up);
   const glm::dvec3 ray = glm::normalize(place);
   const glm::dvec3 back = glm::normalize(glm::mix(roundedNormal(mesh, place, peek.weights), ray, kPartOfRay));
   const double view = std::clamp(2 * mesh.apothem() * kViewOfFace, kMinView, kMaxView) / zoom;
-  return {levelOrientation(back, rightOf(player, mesh, peek.weights)), view / 2 / CameraTarget::kTangent};
+  const double level = glm::smoothstep(kLevelFrom, kLevelTo, edges[0].distance / zoneOf(mesh));
+  return {levelOrientation(back, rightOf(player, edges, back, peek.weights)), view / 2 / CameraTarget::kTangent, level};
 }
 
 namespace {
@@ -109,10 +141,9 @@ glm::dvec3 framedOffset(const CameraTarget& target, glm::dvec3 place, const Soli
 
 // In the picture, a direction at a place is seen as its part across the way from the eye to there. That way depends on
 // the roll, through the framing; each round leaves a small part of the error.
-CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom, PeekWeights weights) {
+CameraTarget levelled(CameraTarget target, const Pose& player, const SolidMesh& mesh) {
   constexpr int kRounds = 6;
   const glm::dvec3 right = glm::cross(player.up, player.normal);
-  CameraTarget target = cameraTarget(player, mesh, zoom, {weights});
   const glm::dvec3 back = target.back();
   target.orientation = levelOrientation(back, right);
   for (int round = 0; round < kRounds; ++round) {

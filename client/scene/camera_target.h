@@ -12,13 +12,14 @@
 
 namespace platon {
 
-/// How the camera would look at a player that stands still.
+/// How the camera would look at a player.
 struct CameraTarget {
   static constexpr double kEdgeZone = 60;  ///< level units from an edge within which the view turns to the next face
   static constexpr double kTangent = 0.2;  ///< of half the smaller field of view, which is 23 degrees
 
   glm::dquat orientation{1, 0, 0, 0};  ///< of the axes right, up, back
   double distance = 1000;              ///< from the player to the eye along back, level units
+  double level = 0;  ///< part of the way to `levelled` while the player moves: 0 near an edge, 1 in the middle part
 
   glm::dvec3 back() const { return orientation * glm::dvec3(0, 0, 1); }
   /// Half the shorter side of the picture at the player, level units.
@@ -28,13 +29,16 @@ struct CameraTarget {
 /// The orientation whose z axis is the unit vector `back` and whose x axis is nearest to `right`.
 glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right);
 
+/// Angle about `axis` between two vectors perpendicular to it, radians counter-clockwise.
+double angleAbout(glm::dvec3 axis, glm::dvec3 from, glm::dvec3 to);
+
 /// By face: how far the view may turn to it near an edge, 0 … 1. Empty: 1 for all.
 using PeekWeights = std::span<const double>;
 
 /// How the view of a moving player turns near edges.
 struct Peek {
   PeekWeights weights = {};
-  double rise = 0;  ///< level units along the player's up that are not seen yet, as of a jump; near an edge less counts
+  double rise = 0;  ///< level units along the player's up that are not seen yet, as of a jump; of a fall none
 };
 
 /// The normal of the solid with its edges rounded off: the normal of the face in the middle part of a face, the mean
@@ -43,13 +47,10 @@ struct Peek {
 glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place, PeekWeights weights = {});
 
 /// Of a player who moves. The line of sight is nearly the rounded normal, with a part of the ray from the solid's
-/// centre (kPartOfRay), so that the neighbouring faces are seen. In the middle part of a face the player's right is
-/// level on the screen; near edges and corners, it turns evenly with the way. `zoom` is a magnification, more than 0.
+/// centre (kPartOfRay), so that the neighbouring faces are seen. The player's right is nearly level on the screen in
+/// the middle part of a face. Near edges and corners the picture turns evenly with the way, the same whichever way the
+/// player's up points: on a way round a corner, it rolls once. `zoom` is a magnification, more than 0.
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom, const Peek& peek = {});
-/// Of a player who rests: the same line of sight, but a floor along the player's right is level in the picture,
-/// wherever the player is.
-CameraTarget restingTarget(const Pose& player, const SolidMesh& mesh, double zoom, PeekWeights weights = {});
-
 constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture
 
 /// How far the middle of the picture is from a player who stands still at `place`, along the axes of the target, in
@@ -58,6 +59,10 @@ constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the pict
 glm::dvec2 framingShift(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh);
 /// From a player who stands still to the eye, in the axes of the target.
 glm::dvec3 framedOffset(const CameraTarget& target, glm::dvec3 place, const SolidMesh& mesh);
+
+/// Of a player who rests: the line of sight of `target`, but a floor along the player's right is level in the picture,
+/// wherever the player is.
+CameraTarget levelled(CameraTarget target, const Pose& player, const SolidMesh& mesh);
 
 /// How far the middle of the picture leads the player, from the way that the player has gone lately. A point trails the
 /// player; the look-ahead is a function of the distance to it. Small turns and jumps keep that distance small. Against

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -50,10 +52,10 @@ void expectVisible(const Camera& camera, const Pose& player, const std::string& 
   ASSERT_GT(glm::dot(player.normal, camera.eye() - player.position), 0) << where;
 }
 
-// The angle by which the picture has turned about the line of sight.
+// The angle by which the picture has turned about the line of sight, radians counter-clockwise.
 double rollBetween(const Camera& before, const Camera& after) {
   const glm::dvec3 up = rotatedBetween(before.up(), before.back(), after.back());
-  return angleBetween(up, after.up());
+  return std::atan2(glm::dot(after.back(), glm::cross(up, after.up())), glm::dot(up, after.up()));
 }
 
 struct Picture {
@@ -78,6 +80,7 @@ struct Walker {
   double framesPerSecond = 60;
   double secondsInMiddle = 0;
   double greatestSwing = 0;  // radians a second
+  double rolled = 0;         // in the last frame, radians a second counter-clockwise
 
   void start() {
     camera.setComfort(comfort);
@@ -93,7 +96,8 @@ struct Walker {
     camera.lerp(walk.pose(), *walk.mesh, seconds);
     expectVisible(camera, walk.pose(), where);
     if (comfort.view != CameraView::kFollow) return;
-    ASSERT_LE(rollBetween(before, camera), comfort.maxRoll() * seconds + 1e-6) << where;
+    rolled = rollBetween(before, camera) / seconds;
+    ASSERT_LE(std::abs(rolled), comfort.maxRoll() + 1e-4) << where;
     greatestSwing = std::max(greatestSwing, angleBetween(before.back(), camera.back()) / seconds);
     const double zone = std::min(CameraTarget::kEdgeZone, walk.mesh->apothem() / 2);
     secondsInMiddle = walk.depth() > zone ? secondsInMiddle + seconds : 0;
@@ -198,6 +202,125 @@ TEST(CameraWalk, RoundEveryCorner) {
 TEST(CameraWalk, RoundACornerInEachPicture) {
   forEveryView(
       [](const Walker& kind) { forEverySolid([&](const SolidMesh& mesh) { roundCorners(kind, mesh, 0, 40); }); });
+}
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kSlowTurn = 20 * kDegree;  // a second; smaller humps are not noticed
+constexpr double kTurnBack = 12 * kDegree;  // a second, at most: where a player starts from level floors
+
+// What is left of a roll between two humps, in parts of the smaller one: 1 if there is one hump. `rolls` are the rolls
+// of the frames in the direction of the whole roll.
+double betweenHumps(const std::vector<double>& rolls) {
+  std::vector<double> later(rolls.size());
+  double highest = 0;
+  for (std::size_t i = rolls.size(); i > 0; --i) later[i - 1] = highest = std::max(highest, rolls[i - 1]);
+  double least = 1;
+  highest = 0;
+  for (std::size_t i = 0; i < rolls.size(); ++i) {
+    highest = std::max(highest, rolls[i]);
+    const double hump = std::min(highest, later[i]);
+    if (hump > kSlowTurn) least = std::min(least, rolls[i] / hump);
+  }
+  return least;
+}
+
+void expectOneRoll(std::vector<double> rolls, const std::string& where) {
+  const double whole = std::accumulate(rolls.begin(), rolls.end(), 0.0);
+  for (double& roll : rolls) roll = std::copysign(roll, roll * whole);
+  EXPECT_GT(betweenHumps(rolls), 0.6) << where;
+  EXPECT_GT(*std::min_element(rolls.begin(), rolls.end()), -kTurnBack) << where;
+}
+
+// A corner of a face.
+struct Corner {
+  int face = 0;
+  glm::dvec2 vertex{0};
+};
+
+// Passes a corner straight, at `radius` from it, by `way` a tick from the left or the right, and stops.
+void passCorner(const SolidMesh& mesh, const Corner& corner, double radius, glm::dvec2 way, bool fromTheLeft) {
+  constexpr double kBefore = 240;  // level units
+  constexpr double kFrom = 150;
+  const double speed = glm::length(way);
+  const glm::dvec2 inwards = -glm::normalize(corner.vertex);
+  const glm::dvec2 along = (fromTheLeft ? 1.0 : -1.0) * glm::dvec2(inwards.y, -inwards.x);
+  Walker walker;
+  walker.walk = {&mesh, corner.face, corner.vertex + inwards * radius,
+                 std::atan2(along.y, along.x) - std::atan2(way.y, way.x)};
+  const int ticks = static_cast<int>(kBefore / speed);
+  for (int tick = 0; tick < ticks; ++tick) walker.walk.step(-way);
+  walker.start();
+  const std::string where =
+      nameOf(mesh, walker,
+             "corner at " + std::to_string(radius) + ", way " + std::to_string(way.x) + ", " + std::to_string(way.y));
+  std::vector<double> rolls;
+  for (int tick = 0; tick < 2 * ticks; ++tick) {
+    ASSERT_NO_FATAL_FAILURE(walker.frame(way, where));
+    if (std::abs(tick * speed - kBefore) < kFrom) rolls.push_back(walker.rolled);
+  }
+  expectOneRoll(rolls, where);
+  for (int frame = 0; frame < 120; ++frame) ASSERT_NO_FATAL_FAILURE(walker.frame({0, 0}, where));
+  EXPECT_LT(floorTilt(walker.camera, walker.walk.pose()), kDegree) << where;
+}
+
+// All faces and all corners of a face have their turn.
+void forEveryCorner(const std::function<void(const SolidMesh&, const Corner&)>& check) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    for (const double size : {356.0, 640.0}) {
+      const SolidMesh mesh(static_cast<SolidKind>(kind), size);
+      for (int face = 0; face < mesh.faces(); ++face) {
+        const auto corner = static_cast<std::size_t>(face) % mesh.polygon().size();
+        ASSERT_NO_FATAL_FAILURE(check(mesh, {face, mesh.polygon()[corner]}));
+      }
+    }
+  }
+}
+
+// It rolled twice, and back between: there was a hump for each edge.
+TEST(CameraWalk, OnAWayPastACornerThePictureRollsOnce) {
+  forEveryCorner([](const SolidMesh& mesh, const Corner& corner) {
+    for (const double radius : {10.0, 20.0, 30.0, 45.0, 60.0, 80.0}) {
+      constexpr std::array kWays{glm::dvec2(kRun, 0),     glm::dvec2(0, -5.5),   glm::dvec2(-kRun, 0),
+                                 glm::dvec2(kRun / 2, 0), glm::dvec2(0, -kFall), glm::dvec2(0, 3.9)};
+      for (const glm::dvec2 way : std::span(kWays).first(corner.face == 0 ? kWays.size() : 2)) {
+        for (const bool fromTheLeft : {false, true})
+          ASSERT_NO_FATAL_FAILURE(passCorner(mesh, corner, radius, way, fromTheLeft));
+      }
+    }
+  });
+}
+
+constexpr std::array<int, kSolidKinds> kEdgesAtCorner{3, 3, 4, 3, 5};
+
+// Goes once round a corner over all its edges, counter-clockwise or clockwise.
+void circleCorner(const SolidMesh& mesh, const Corner& corner, double radius, double angle, double direction) {
+  const double corners = static_cast<double>(mesh.polygon().size());
+  const double around =
+      (1 - 2 / corners) * std::numbers::pi * kEdgesAtCorner[static_cast<std::size_t>(mesh.solid().kind())];
+  const glm::dvec2 inwards = -glm::normalize(corner.vertex);
+  Walker walker;
+  walker.walk = {&mesh, corner.face, corner.vertex + inwards * radius, angle};
+  walker.start();
+  const double turn = direction * kRun / radius;
+  const std::string where = nameOf(mesh, walker, "round a corner at " + std::to_string(radius));
+  double heading = std::atan2(inwards.y, inwards.x) + direction * std::numbers::pi / 2 - angle + turn / 2;
+  std::vector<double> rolls;
+  for (double gone = 0; gone < around; gone += std::abs(turn), heading += turn) {
+    ASSERT_NO_FATAL_FAILURE(walker.frame(kRun * glm::dvec2(std::cos(heading), std::sin(heading)), where));
+    rolls.push_back(walker.rolled);
+  }
+  expectOneRoll(rolls, where);
+}
+
+TEST(CameraWalk, RoundACornerThePictureRollsEvenly) {
+  forEveryCorner([](const SolidMesh& mesh, const Corner& corner) {
+    for (const double radius : {12.0, 20.0, 30.0}) {
+      for (const double angle : {0.0, 0.8, 1.6, 3.2, 4.8}) {
+        for (const double direction : {-1.0, 1.0})
+          ASSERT_NO_FATAL_FAILURE(circleCorner(mesh, corner, radius, angle, direction));
+      }
+    }
+  });
 }
 
 // Runs and falls with turns at random, from a place near a corner.
