@@ -12,9 +12,8 @@
 namespace platon {
 namespace {
 
-constexpr double kWholeSolid = 1.1 / CameraTarget::kTangent;  // circumradii: distance at which the solid fits
 constexpr double kAside = 0.42;  // radians by which the first picture is turned, so that more faces are seen
-constexpr double kFarthest = 2 * kWholeSolid;
+constexpr double kFarthest = 2 * CameraTarget::kWholeSolid;
 constexpr double kNearest = 100;                            // level units above the face
 constexpr double kTurn = 6 * std::numbers::pi / 180;        // by one press of an arrow key
 constexpr double kNotches = 1;                              // by one press of Page Up
@@ -26,7 +25,7 @@ constexpr double kViewHeight = 2 * CameraTarget::kTangent;  // of the field of v
 void EditorCamera::showAll(const SolidMesh& mesh, const Pose& pose) {
   centre(pose);
   turn(-kAside, -kAside * 0.7);
-  distance_ = kWholeSolid * mesh.circumradius();
+  distance_ = CameraTarget::kWholeSolid * mesh.circumradius();
 }
 
 void EditorCamera::centre(const Pose& pose) {

@@ -38,8 +38,6 @@ double rollBetween(const CameraTarget& from, const CameraTarget& to) {
   return angleAbout(from.back(), from.orientation * glm::dvec3(1, 0, 0), to.orientation * glm::dvec3(1, 0, 0));
 }
 
-glm::dquat partOf(glm::dquat turn, double part) { return glm::slerp(glm::dquat(1, 0, 0, 0), turn, part); }
-
 glm::dvec2 shortened(glm::dvec2 vector, double longest) {
   const double length = glm::length(vector);
   return length > longest ? vector * (longest / length) : vector;

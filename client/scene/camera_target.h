@@ -16,6 +16,7 @@ namespace platon {
 struct CameraTarget {
   static constexpr double kEdgeZone = 60;  ///< level units from an edge within which the view turns to the next face
   static constexpr double kTangent = 0.2;  ///< of half the smaller field of view, which is 23 degrees
+  static constexpr double kWholeSolid = 1.1 / kTangent;  ///< circumradii: distance from the centre at which all is seen
 
   glm::dquat orientation{1, 0, 0, 0};  ///< of the axes right, up, back
   double distance = 1000;              ///< from the player to the eye along back, level units

@@ -23,6 +23,11 @@ struct ViewPoint {
 /// fills the picture. The eye is never in the solid.
 ViewPoint drawnBack(const SolidMesh& mesh, glm::dquat orientation, glm::dvec3 fromCentre, double part);
 
+/// The angle of a turn, 0 … 2 π: more than π where the quaternion stands for the longer way.
+double angleOfTurn(const glm::dquat& turn);
+/// A part of a turn, 0 … 1.
+glm::dquat partOf(const glm::dquat& turn, double part);
+
 /// What is left of `distance` ≥ 0 after `seconds` ≥ 0 of an approach at `rate` × the rest a second, but at `maxSpeed` a
 /// second at most. Rate and speed are more than 0. Two calls in turn equal one call with the sum of their times.
 double leftAfter(double distance, double rate, double maxSpeed, double seconds);

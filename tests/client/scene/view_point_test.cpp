@@ -22,13 +22,21 @@ TEST(ViewPoint, DrawnBackByNothingIsTheSameView) {
   EXPECT_EQ(same.orientation, view.orientation);
 }
 
-TEST(ViewPoint, DrawnBackEntirelyItLooksAtTheCentreFromAfar) {
-  for (const double size : {200.0, 65536.0}) {
-    const SolidMesh mesh(SolidKind::kTetrahedron, size);
-    const ViewPoint view = onFace(mesh, 0, {10, 5});
-    const ViewPoint away = drawnBack(mesh, view.orientation, view.fromCentre(), 1);
-    EXPECT_NEAR(glm::dot(glm::normalize(away.eye), view.back()), 1, 1e-9);
-    EXPECT_GE(glm::length(away.eye), 2.7 * mesh.circumradius());
+// Corners of the solid were out of the picture.
+TEST(ViewPoint, DrawnBackEntirelyItSeesTheWholeSolid) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    for (const double size : {200.0, 480.0, 65536.0}) {
+      const SolidMesh mesh(static_cast<SolidKind>(kind), size);
+      const ViewPoint view = onFace(mesh, 0, {10, 5});
+      const ViewPoint away = drawnBack(mesh, view.orientation, view.fromCentre(), 1);
+      EXPECT_NEAR(glm::dot(glm::normalize(away.eye), view.back()), 1, 1e-9);
+      for (int face = 0; face < mesh.faces(); ++face) {
+        for (const glm::dvec2 corner : mesh.polygon()) {
+          const glm::dvec3 seen = glm::conjugate(away.orientation) * (mesh.toWorld(face, corner) - away.eye);
+          EXPECT_LT(glm::length(glm::dvec2(seen)) / -seen.z, CameraTarget::kTangent) << kind << " " << size;
+        }
+      }
+    }
   }
 }
 
