@@ -86,6 +86,7 @@ void GameView::fade(double seconds) {
 void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {
   camera_.setComfort(settings.comfort, settings.zoom);
   camera_.setArrived(scene.attempt && scene.attempt->arrived);
+  camera_.setLongFall(scene.longFall);
   camera_.setBegun(!scene.attempt || scene.attempt->seconds > 0);
   camera_.move(scene.focus, scene.stage, scene.elements, look_, seconds);
   const double folded = camera_.folded();

@@ -148,14 +148,19 @@ void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, 
   }
 }
 
+// On the virtual screen, of a point before the camera.
+glm::vec2 onScreen(const Camera& camera, glm::dvec3 point, glm::vec2 screen) {
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
+  return {(clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y};
+}
+
 void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, glm::vec2 screen) {
   if (player.local || player.name.empty()) return;
   // Players whose face looks away from the camera are hidden by the solid.
   if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
-  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
-  const glm::vec2 place((clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y);
-  writer.centred(shownNameOf(player), place, kSmallestText, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+  writer.centred(shownNameOf(player), onScreen(camera, above, screen), kSmallestText,
+                 glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
 // The name of a ghost would hide the ball that the player steers.
@@ -173,6 +178,18 @@ void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, co
     if (!coversLocalPlayer(scene, ghost)) place(ghost);
   }
   for (const PlayerDrawing& player : scene.players) place(player);
+}
+
+// In a long fall the own ball is small, and half of the time behind the solid.
+void placeRing(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
+  constexpr float kSize = 44;
+  if (!scene.longFall || scene.players.empty()) return;
+  const PlayerDrawing& player = scene.players.back();
+  const glm::vec2 place = onScreen(camera, player.pose.position, space.screen());
+  space.addOver(drawn(font, [&](OverlayWriter& writer) {
+    writer.centred("\u25cb", place + glm::vec2(0, kSize * Font::kCapitalHeight / 2), kSize,
+                   glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+  }));
 }
 
 // At the border, or nearer to the middle if there is no room.
@@ -400,6 +417,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   if (status.assembling) return scaledBy(space.overlay(), status.scale);
   placeSigns(space, scene, camera, font);
   placeNameTags(space, scene, camera, font);
+  placeRing(space, scene, camera, font);
   return scaledBy(space.overlay(), status.scale);
 }
 

@@ -77,14 +77,17 @@ void EndlessFall::observe(std::uint32_t ticks, const Game& game, std::uint32_t s
   if (ticks <= newest_) return;
   const bool first = newest_ == 0;
   newest_ = ticks;
+  const std::uint32_t crossings = game.world().entities()[slot].crossings;
   if (first || !isFalling(game.player(slot))) {
     grounded_ = ticks;
+    groundedCrossings_ = crossings;
     laps_ = {};
     isEndless_ = false;
     held_.reset();
     trial_.reset();
   }
   laps_.enter(faceOf(game, slot));
+  crossings_ = crossings - groundedCrossings_;
   if (laps_.count() >= kRestartLaps) restartsUntil_ = ticks + kRestartTicks;
   if (ticks - grounded_ >= kPatience) tryOut(game, slot);
 }

@@ -81,6 +81,7 @@ class EndlessFall {
   static constexpr int kHintLaps = 2;     ///< a trial of so many laps does not land; a fall of so many needs the hint
   static constexpr int kRestartLaps = 3;  ///< a fall of so many needs a restart
   static constexpr std::uint32_t kRestartTicks = 12;  ///< so long it is asked for
+  static constexpr std::uint32_t kLongCrossings = 4;  ///< of edges, without ground; the recorded ways have at most 3
 
   /// `game` is the predicted game after `ticks` ticks, with a player in `slot`. Ignored unless `ticks` exceeds that of
   /// all earlier calls: replaying ticks counts none twice.
@@ -89,6 +90,8 @@ class EndlessFall {
   /// Whether the path of the player does not land, or its second lap is over. Neither holds any more once it stands,
   /// touches the goal, restarts or leaves.
   bool needsHint() const { return isEndless_ || laps_.count() >= kHintLaps; }
+  /// Whether a camera that follows the player would tumble: it falls over edge after edge, or will.
+  bool isLong() const { return needsHint() || crossings_ >= kLongCrossings; }
   /// Whether its third lap is over. True for some ticks, because an input may come too late at the server.
   bool needsRestart() const { return newest_ < restartsUntil_; }
 
@@ -101,10 +104,12 @@ class EndlessFall {
   std::uint32_t newest_ = 0;    // last tick observed
   std::uint32_t grounded_ = 0;  // last tick from which the fall is counted
   FallLaps laps_;
-  std::uint32_t restartsUntil_ = 0;   // tick
-  bool isEndless_ = false;            // what the last trials have told
-  std::optional<std::uint8_t> held_;  // buttons that are or were tried out
-  std::optional<Game> trial_;         // while one runs
+  std::uint32_t groundedCrossings_ = 0;  // of the player until grounded_
+  std::uint32_t crossings_ = 0;          // since then
+  std::uint32_t restartsUntil_ = 0;      // tick
+  bool isEndless_ = false;               // what the last trials have told
+  std::optional<std::uint8_t> held_;     // buttons that are or were tried out
+  std::optional<Game> trial_;            // while one runs
   FallLaps trialLaps_;
   std::uint32_t trialTicks_ = 0;
   std::vector<Input> inputs_;  // of each tick of the trial

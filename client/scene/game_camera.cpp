@@ -57,6 +57,45 @@ ViewPoint LookRound::turned(const ViewPoint& view, const SolidMesh& mesh) const 
 
 namespace {
 
+// Of the far view, so that several faces are seen.
+const glm::dquat kLean = glm::angleAxis(0.35, glm::dvec3(0, 1, 0)) * glm::angleAxis(-0.45, glm::dvec3(1, 0, 0));
+
+// The same rotation, without a jump from `last`.
+glm::dquat continued(const glm::dquat& turn, const glm::dquat& last) {
+  return glm::normalize(glm::dot(turn, last) < 0 ? -turn : turn);
+}
+
+}  // namespace
+
+// In a fall, the view turns on with what the camera near the player turns, ever less. The other way, it turns to that
+// camera wherever it is.
+void FarView::move(const ViewPoint& near, bool falls, bool cuts, double seconds) {
+  const glm::dquat turned = continued(near.orientation * glm::conjugate(near_), {1, 0, 0, 0});
+  const bool begins = falls && held_ == 0;
+  glm::dquat far = begins ? near.orientation : falls ? orientation(near_) : near_ * beyond_;
+  if (falls && !begins) far = partOf(turned, 1 - smootherstep(away_)) * far;
+  const bool turnsBack = held_ > 0 && held_ < 1;
+  beyond_ = continued(glm::conjugate(near.orientation) * far, turnsBack ? beyond_ : glm::dquat(1, 0, 0, 0));
+  near_ = near.orientation;
+  const double back = std::max(kAwaySeconds, kBackSeconds * angleOfTurn(beyond_));
+  const double time = cuts ? 1 : seconds / (falls ? kAwaySeconds : back);
+  away_ = std::clamp(away_ + (falls ? time : -time), 0.0, 1.0);
+  held_ = falls ? 1 : std::max(0.0, held_ - time);
+}
+
+glm::dquat FarView::orientation(const glm::dquat& near) const {
+  return glm::normalize(near * partOf(beyond_, smootherstep(held_)));
+}
+
+ViewPoint FarView::view(const ViewPoint& near, const SolidMesh& mesh) const {
+  if (away_ == 0 && held_ == 0) return near;
+  const glm::dquat shown = glm::normalize(orientation(near.orientation) * partOf(kLean, smootherstep(away_)));
+  const ViewPoint whole = drawnBack(mesh, shown, near.fromCentre(), 1);
+  return {shown, shown * glm::mix(near.fromCentre(), whole.fromCentre(), smootherstep(away_))};
+}
+
+namespace {
+
 // Parts of the time of a flight.
 constexpr double kFlat = 0.1;    // until which the unfolding lies flat
 constexpr double kFolded = 0.7;  // from which the solid is complete
@@ -106,6 +145,8 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
   camera_.setReach(flying() ? unfolding_.reach : 0);
   ViewPoint view = flightView(overview(player, stage->mesh), stage->mesh);
   view.eye += kNearer * smootherstep(approach_) * (player.position - view.eye);
+  farView_.move(view, longFall_, comfort_.instantCut || comfort_.view != CameraView::kFollow, seconds);
+  view = farView_.view(view, stage->mesh);
   camera_.show(look_.turned(view, stage->mesh));
 }
 
@@ -155,6 +196,7 @@ void GameCamera::begin(const Pose& player, const StageModel& stage) {
   fadingCut_ = false;
   flight_.stop();
   approach_ = 0;
+  farView_.reset();
   begun_ = begunNow_;
   wholeFace_.reset();
   overview_ = begun_ || comfort_.view != CameraView::kFollow ? 0 : 1;

@@ -65,9 +65,32 @@ class LookRound {
   glm::dvec2 angles_{0};
 };
 
+/// The view of a long fall, in which a camera that follows the player would tumble: it goes away until it sees the
+/// whole solid, ceases to turn and stands still. Afterwards it turns back the shortest way, and comes nearer meanwhile.
+class FarView {
+ public:
+  static constexpr double kAwaySeconds = 0.8;   ///< of the way there
+  static constexpr double kBackSeconds = 0.55;  ///< of the way back, for each radian, but at least kAwaySeconds
+
+  /// The player falls on, or no longer, for `seconds` ≥ 0; `near` is the view that follows the player. With `cuts`
+  /// there is no way.
+  void move(const ViewPoint& near, bool falls, bool cuts, double seconds);
+  /// The view now, which is `near` without a fall.
+  ViewPoint view(const ViewPoint& near, const SolidMesh& mesh) const;
+  void reset() { *this = FarView(); }
+
+ private:
+  glm::dquat orientation(const glm::dquat& near) const;
+
+  double away_ = 0;                // part of the time of the way there, 0 … 1
+  double held_ = 0;                // part of the time of the turn back that is left, 1 in a fall
+  glm::dquat near_{1, 0, 0, 0};    // of the last move
+  glm::dquat beyond_{1, 0, 0, 0};  // the turn from there to the view of the fall
+};
+
 /// The camera of the game: it flies from the goal to the player at the start of a level, while the unfolded solid is
 /// folded, shows the whole face until the player's first input, follows the player, comes slowly nearer at a finish,
-/// and turns round the solid while the player looks round.
+/// turns round the solid while the player looks round, and stands still far away while the player falls on and on.
 class GameCamera {
  public:
   static constexpr double kNearer = 0.1;             ///< part of the distance by which it comes nearer at a finish
@@ -90,6 +113,10 @@ class GameCamera {
   /// Whether the player has begun to play, from the next `move` on. Until then the picture shows its whole face, as far
   /// as FaceHold does; on each stage once, not again after a restart.
   void setBegun(bool begun) { begunNow_ = begun; }
+  /// Whether the player falls over edge after edge, from the next `move` on. The camera then goes to where it sees the
+  /// whole solid, and stands still there until the player lands. With instant cuts and where it stands still on each
+  /// face, it goes there and back at once.
+  void setLongFall(bool falls) { longFall_ = falls; }
   /// How far the solid is folded; unfolded, it lies in the plane of the goal: 0 at the start of a flight, 1
   /// without one.
   double folded() const;
@@ -127,7 +154,9 @@ class GameCamera {
   std::vector<double> peek_;  // PeekWeights of the camera
   FaceHold wholeFace_;        // until the first input
   double overview_ = 0;       // part of the time that is left of the way from there, 0 … 1
-  bool begun_ = true;         // on this stage
+  bool longFall_ = false;
+  FarView farView_;    // in a long fall
+  bool begun_ = true;  // on this stage
   bool begunNow_ = true;
   std::weak_ptr<const StageModel> stage_;  // of the last move
 };

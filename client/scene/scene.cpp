@@ -99,6 +99,7 @@ Scene makeScene(const SceneSource& source) {
   if (!scene.players.empty() && scene.players.back().local) {
     scene.attempt = {secondsOf(source.attempt.ticks()), source.attempt.arrived()};
     scene.needsRestart = source.needsRestart && !scene.over;
+    scene.longFall = source.longFall && !scene.over;
   }
   return scene;
 }

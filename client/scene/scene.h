@@ -41,6 +41,7 @@ struct SceneSource {
   std::span<const double> flashes;  ///< by slot, 0 … 1: brightness of the flash after an event
   AttemptTime attempt;              ///< of the local player
   bool needsRestart = false;        ///< EndlessFall::needsHint of the local player
+  bool longFall = false;            ///< EndlessFall::isLong of the local player
   bool othersCanJoin = false;       ///< so the scene tells how many players are missing
   std::vector<GhostSource> ghosts;
   BallChoice ownBall;  ///< how the local player wants its ball
@@ -81,6 +82,7 @@ struct Scene {
   bool timed = true;       ///< the round has a time limit
   std::optional<AttemptDrawing> attempt;  ///< unset without a local player
   bool needsRestart = false;              ///< the local player will not land: it must go back to the start
+  bool longFall = false;                  ///< the local player falls over edge after edge: it is seen from afar
   std::uint32_t neededPlayers = 0;        ///< how many the level needs; 0: enough are present, or no others can join
   bool over = false;
 };

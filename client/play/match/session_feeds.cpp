@@ -85,6 +85,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Time now, SceneExt
   source.flashes = flashes_;
   source.attempt = round->attemptTime();
   source.needsRestart = round->endlessFall().needsHint();
+  source.longFall = round->endlessFall().isLong();
   source.othersCanJoin = true;
   source.ghosts = std::move(extras.ghosts);
   source.ownBall = extras.ownBall;

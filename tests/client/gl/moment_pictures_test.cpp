@@ -95,6 +95,20 @@ TEST_F(MomentPicturesTest, TheGoalHasOpened) {
   expectGolden(view_.read(), "moment/portal");
 }
 
+// The ball is behind the solid.
+TEST_F(MomentPicturesTest, ALongFallIsSeenFromAfarWithARingRoundTheBall) {
+  Scene scene = sceneOfSolid("icosahedron");
+  const SolidMesh& mesh = scene.stage->mesh;
+  zoom_ = 1;
+  draw(scene, 0);
+  scene.longFall = true;
+  draw(scene, 0);
+  draw(scene, 2);
+  put(scene, mesh.pose(mesh.faceTowards(-scene.focus.position), {10, 40}, 2));
+  view_.draw(&scene, {.hint = "R: back to the start", .scale = 2}, Settings(), Overlay(), 0.1);
+  expectGolden(view_.read(), "moment/long_fall");
+}
+
 TEST_F(MomentPicturesTest, GhostsRunAlong) {
   Scene scene = sceneOfSolid("icosahedron");
   const Marker& start = scene.stage->start;

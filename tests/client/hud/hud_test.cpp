@@ -344,6 +344,13 @@ TEST(Hud, ShowsThatRReturnsToTheStart) {
   EXPECT_LT(find(hud, "R: back to the start")->place.y, find(hud, "Restart at noon")->place.y);
 }
 
+TEST(Hud, InALongFallARingShowsWhereTheOwnBallIs) {
+  Scene scene = sceneOf(1);
+  EXPECT_FALSE(find(hudOf(scene), "\u25cb"));
+  scene.longFall = true;
+  EXPECT_TRUE(find(hudOf(scene), "\u25cb"));
+}
+
 TEST(Hud, ShowsThatTheLevelNeedsMorePlayers) {
   Scene scene = sceneOf(1);
   scene.neededPlayers = 2;

@@ -90,6 +90,22 @@ TEST_F(EndlessFallTest, ItIsToldWithinOneAndAHalfSeconds) {
   }
 }
 
+TEST_F(EndlessFallTest, ItIsLongOverFourEdgesOrOnceItIsToldUntilThePlayerStands) {
+  begin(airLevel());
+  playUntil(0, 200, [&] { return fall_.isLong(); });
+  EXPECT_TRUE(fall_.needsHint());
+  begin(airLevel(4, "-240 -100 240 -100"));
+  playUntil(0, 1000, [&] { return stands() || fall_.isLong(); });
+  EXPECT_TRUE(stands()) << "three edges, and it lands";
+  begin(airLevel(0, "-240 220 240 220"));
+  playUntil(0, 1000, [&] { return stands() || fall_.isLong(); });
+  EXPECT_TRUE(fall_.isLong());
+  EXPECT_FALSE(fall_.needsHint()) << "it lands above the start, from the other side";
+  EXPECT_EQ(crossings(), EndlessFall::kLongCrossings);
+  playUntil(0, 100, [&] { return stands(); });
+  EXPECT_FALSE(fall_.isLong());
+}
+
 TEST_F(EndlessFallTest, TheRestartIsNeededAfterTheThirdLap) {
   begin(airLevel());
   playUntil(0, 3000, [&] { return fall_.needsRestart(); });

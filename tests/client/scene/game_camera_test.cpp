@@ -1,14 +1,24 @@
 #include "client/scene/game_camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
+#include "client/netcode/player_snapshot.h"
+#include "client/netcode/player_watch.h"
 #include "client/scene/camera_target.h"
+#include "client/scene/scene.h"
+#include "platon/game/game.h"
 #include "platon/game/level.h"
 
 namespace platon::game_camera_test {
@@ -411,6 +421,118 @@ TEST_F(GameCameraTest, OnlyTheCameraThatFadesHasFadingCutsAndOnlyAtAnotherView) 
     EXPECT_FALSE(camera.takeFadingCut()) << "it was taken";
     camera.setComfort({.reducedMotion = true, .view = view}, 1.5);
     EXPECT_FALSE(cutsAt(stage_->mesh.pose(1, {100, 0}, 0))) << "the zoom changes without a fade";
+  }
+}
+
+std::string emptyLevel(SolidKind kind) {
+  std::string text = std::string(nameOf(kind)) + "\n0 60 20 0\n1 0 0\n480\n";
+  for (int face = 0; face < PlatonicSolid::of(kind).faces(); ++face) text += "%\n";
+  return text;
+}
+
+// A ball that falls on an empty solid, as a match shows it.
+struct Fall {
+  explicit Fall(SolidKind kind)
+      : game(loadLevel(emptyLevel(kind)).level), stage(makeStageModel(game.level())), start(focus()) {
+    camera.resize(1280, 720);
+    tick();
+  }
+
+  Pose focus() {
+    game.advance(std::array{Input{Input::kPresent}});
+    return poseOf(stage->mesh, snapshotOf(game, 0));
+  }
+  void tick() {
+    const Pose player = focus();
+    fall.observe(game.tick(), game, 0);
+    show(player, fall.isLong());
+  }
+  void show(const Pose& player, bool isLong) {
+    camera.setLongFall(isLong);
+    before = shown;
+    camera.move(player, stage, {}, {}, kFrame);
+    shown = {camera.camera().right(), camera.camera().up(), camera.camera().back()};
+  }
+
+  // In the last frame, radians a second.
+  double turned() const {
+    const glm::dmat3 turn = shown * glm::transpose(before);
+    return std::acos(std::clamp((turn[0][0] + turn[1][1] + turn[2][2] - 1) / 2, -1.0, 1.0)) / kFrame;
+  }
+  double rolled() const {
+    return std::asin(glm::dot(rotatedBetween(before[0], before[2], shown[2]), shown[1])) / kFrame;
+  }
+
+  Game game;
+  std::shared_ptr<const StageModel> stage;
+  Pose start;
+  EndlessFall fall;
+  GameCamera camera;
+  glm::dmat3 before{1};
+  glm::dmat3 shown{1};
+};
+
+void expectWholeSolid(const Fall& fall) {
+  const SolidMesh& mesh = fall.stage->mesh;
+  for (int face = 0; face < mesh.faces(); ++face) {
+    for (const glm::dvec2 corner : mesh.polygon()) {
+      const glm::dvec4 clip = fall.camera.camera().viewProjection() * glm::dvec4(mesh.toWorld(face, corner), 1);
+      EXPECT_LT(std::max(std::abs(clip.x), std::abs(clip.y)) / clip.w, 1) << mesh.faces();
+    }
+  }
+}
+
+// It tumbled for ever.
+TEST(LongFall, TheCameraGoesAwayAndStandsStillAndSeesTheWholeSolid) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    Fall fall(static_cast<SolidKind>(kind));
+    double rolled = 0;
+    int frames = 0;
+    for (int left = 60; left > 0; ++frames, left -= fall.fall.isLong() ? 1 : 0) {
+      fall.tick();
+      rolled += std::abs(fall.rolled()) * kFrame;
+      EXPECT_LT(fall.turned(), 9) << kind;
+    }
+    EXPECT_LT(frames * kFrame, 3) << kind;
+    EXPECT_LT(rolled, 2) << "radians, less than a third of a turn";
+    for (int frame = 0; frame < 300; ++frame) {
+      fall.tick();
+      ASSERT_LT(fall.turned(), 1e-5) << kind;
+    }
+    expectWholeSolid(fall);
+  }
+}
+
+TEST(LongFall, WhereThePlayerLandsTheCameraComesBackCalmly) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    for (const int frames : {180, 200, 240, 300}) {
+      Fall fall(static_cast<SolidKind>(kind));
+      for (int frame = 0; frame < frames; ++frame) fall.tick();
+      for (int frame = 0; frame < 240; ++frame) {
+        fall.show(fall.start, false);
+        EXPECT_LT(fall.turned(), 4) << kind;
+      }
+      Camera usual;
+      usual.set(fall.start, fall.stage->mesh, 1280, 720);
+      EXPECT_LT(glm::distance(fall.camera.camera().eye(), usual.eye()), 1) << kind;
+    }
+  }
+}
+
+TEST(LongFall, InstantCutAndTheCameraOfAFaceGoThereAndBackAtOnce) {
+  const auto stage = makeStageModel(*loadLevel(emptyLevel(SolidKind::kHexahedron)).level);
+  for (const CameraComfort& comfort : {CameraComfort{.instantCut = true}, CameraComfort{.view = CameraView::kFace}}) {
+    GameCamera camera;
+    camera.resize(1280, 720);
+    camera.setComfort(comfort, 1);
+    const auto eyeAt = [&](bool falls) {
+      camera.setLongFall(falls);
+      camera.move(stage->mesh.pose(0, {60, 20}, 0), stage, {}, {}, kFrame);
+      return camera.camera().eye();
+    };
+    const glm::dvec3 near = eyeAt(false);
+    EXPECT_GT(glm::length(eyeAt(true)), 1.05 * glm::length(near));
+    EXPECT_EQ(eyeAt(false), near);
   }
 }
 
