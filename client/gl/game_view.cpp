@@ -61,10 +61,9 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   }
 }
 
-void GameView::drawStill(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu,
-                         float left) {
-  PictureStyle style = styleOf(settings);
-  style.animated = false;
+void GameView::drawBeside(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu,
+                          float left) {
+  const PictureStyle style = styleOf(settings);
   renderer_.setPlaces({});
   renderer_.setFade(fadeLeft_ = 0);
   const Overlay notice = makeNotice(notice_, font_, screenWidth() - left, textScale(settings));

@@ -42,7 +42,7 @@ class GameView {
 
   /// Draws a scene as a camera of the size of the picture sees it, and a menu and the notice in front of it. The notice
   /// stands to the right of `left` on the virtual screen.
-  void drawStill(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu, float left);
+  void drawBeside(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu, float left);
   /// Size of the picture in pixels.
   std::uint32_t width() const { return camera_.camera().width(); }
   std::uint32_t height() const { return camera_.camera().height(); }

@@ -1,9 +1,12 @@
 #include "client/play/title_screen.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "client/menu/menu_layout.h"
 #include "client/menu/pages/failure_page.h"
@@ -27,6 +30,28 @@ std::string failureTitle(const ProgramError& error, const MatchChoice& choice) {
 }
 
 }  // namespace
+
+void TitleGame::show(const std::shared_ptr<const Level>& level) {
+  if (game_ && game_->game().sharedLevel() == level) return;
+  game_.emplace(level, std::vector<std::string>{""});
+  begin();
+}
+
+// The ball lies on its floor already.
+void TitleGame::begin() {
+  constexpr int kSettleTicks = 60;
+  game_->begin();
+  for (int tick = 0; tick < kSettleTicks; ++tick) game_->advance(std::array{Input{Input::kPresent}});
+  stroll_ = {};
+}
+
+void TitleGame::advance(double seconds) {
+  due_ = std::min(due_ + seconds * kTicksPerSecond, double{kMaxTicks});
+  for (; due_ >= 1; --due_) {
+    if (game().over()) begin();
+    game_->advance(std::array{stroll_.choose(game(), 0)});
+  }
+}
 
 TitleScreen::TitleScreen(GameDesk& desk)
     : desk_(&desk),
@@ -144,17 +169,19 @@ void TitleScreen::drawMenu(const Frame& frame) {
   GameView& view = desk_->view;
   const Settings& settings = desk_->settings();
   const std::shared_ptr<const Level> level = front_.shownLevel();
-  if (level) turntable_.show(level);
+  if (level) game_.show(level);
   Overlay menu = desk_->menu.overlay(view.font(), false);
-  if (!turntable_.shows()) return view.draw(nullptr, HudStatus(), settings, menu, frame.seconds);
-  if (!settings.comfort.reducedMotion) turntable_.advance(frame.seconds);
+  if (!game_.shows()) return view.draw(nullptr, HudStatus(), settings, menu, frame.seconds);
+  const double seconds = settings.comfort.reducedMotion ? 0 : frame.seconds;
+  game_.advance(seconds);
+  turntable_.show(game_.scene(settings.ball), seconds);
   const float width = view.screenWidth();
   const float scale = view.textScale(settings);
   // The notice stands where the card does.
   if (level && desk_->told().empty()) addLevelCard(menu, front_.entryOf(level), view.font(), width, scale);
   const bool beside = width > Turntable::kWide * Overlay::kHeight;
   const float left = beside ? scale * endOfLeftColumn(view.screen() / scale) : 0;
-  view.drawStill(turntable_.scene(), turntable_.camera(view.width(), view.height()), settings, menu, left);
+  view.drawBeside(turntable_.scene(), turntable_.camera(view.width(), view.height()), settings, menu, left);
 }
 
 }  // namespace platon

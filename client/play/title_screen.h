@@ -1,14 +1,39 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
+#include "client/demo/stroll.h"
 #include "client/menu/pages/levels_page.h"
 #include "client/play/front_pages.h"
 #include "client/play/game_desk.h"
+#include "client/play/offscreen/local_game.h"
 #include "client/play/screen.h"
 
 namespace platon {
+
+/// The game beside the pages before a match: a ball rolls about on a level, without solving it.
+class TitleGame {
+ public:
+  static constexpr std::uint32_t kMaxTicks = 15;  ///< of one picture: a late one is not made up for
+
+  /// Plays this level from now on, from its start. No effect if it does already.
+  void show(const std::shared_ptr<const Level>& level);
+  bool shows() const { return game_.has_value(); }
+  /// Plays on for `seconds`, but at most kMaxTicks. Requires a level, as `scene` does.
+  void advance(double seconds);
+  Scene scene(const BallChoice& ball) const { return game_->scene(ball); }
+  const Game& game() const { return game_->game(); }
+
+ private:
+  void begin();
+
+  std::optional<LocalGame> game_;
+  Stroll stroll_;
+  double due_ = 0;  // ticks to be played
+};
 
 /// The title and the pages before a match, beside the solid of a level. It starts matches and recordings in front of
 /// itself; what goes wrong with them is shown here, where the player can try again or go back.
@@ -36,6 +61,7 @@ class TitleScreen : public Screen {
 
   GameDesk* desk_;
   FrontPages front_;
+  TitleGame game_;
   Turntable turntable_;
   MatchChoice choice_;  // the last one
   Next next_;

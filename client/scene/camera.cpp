@@ -155,7 +155,7 @@ glm::dmat4 Camera::viewProjection() const {
   const double radius = std::max(radius_, reach_);
   const double farthest = fromCentre + radius;
   const double nearest = std::max((fromCentre - radius) / 2, farthest / 20000);
-  const glm::dmat4 shifted = glm::translate(glm::dmat4(1), glm::dvec3(shift_, 0, 0));
+  const glm::dmat4 shifted = glm::translate(glm::dmat4(1), glm::dvec3(shift_, 0));
   return shifted * glm::perspective(vertical, aspect, nearest, farthest) * view();
 }
 

@@ -51,8 +51,9 @@ class Camera {
   /// How far the view may turn to each face near an edge: see PeekWeights. Takes effect at the next `set` or `lerp`.
   void setPeek(PeekWeights weights) { peek_.assign(weights.begin(), weights.end()); }
 
-  /// Shows the middle of the view this far to the right of the middle of the picture, in half widths of it.
-  void setShift(double shift) { shift_ = shift; }
+  /// Shows the middle of the view this far to the right of the middle of the picture and above it, in half widths and
+  /// half heights of it.
+  void setShift(glm::dvec2 shift) { shift_ = shift; }
 
   /// The pictures show what is within this distance from the centre of the solid, level units, and all of the solid.
   void setReach(double reach) { reach_ = reach; }
@@ -89,7 +90,7 @@ class Camera {
   double radius_ = 500;  // circumradius of the solid, for the depth range
   double reach_ = 0;
   double zoom_ = 1;
-  double shift_ = 0;
+  glm::dvec2 shift_{0};
   CameraComfort comfort_;
   std::vector<double> peek_;
   std::uint32_t width_ = 1;

@@ -15,7 +15,6 @@ EXCEPTIONS = {
     "protocol/files/file_replacement.cpp": "text_file_test",
     "client/play/main.cpp": "tests/net/programs runs platon-client",
     "client/play/match_screen.cpp": "window_match_test and window_play_test play in it",
-    "client/play/title_screen.cpp": "window_match_test and window_play_test start at it",
     "levels/tool/main.cpp": "check_command_test runs platon-level",
     "server/program/main.cpp": "server_program_test runs platon-server",
 }

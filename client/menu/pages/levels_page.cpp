@@ -12,10 +12,10 @@
 
 #include "client/menu/menu_layout.h"
 #include "client/scene/camera_target.h"
+#include "client/scene/view_point.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 #include "client/ui/player_rows.h"
-#include "platon/game/game.h"
 #include "protocol/texts.h"
 
 namespace platon {
@@ -79,10 +79,17 @@ MenuItem itemOf(const LevelEntry& level) {
   return item;
 }
 
-constexpr double kTurnPerSecond = 2 * std::numbers::pi / 40;
-constexpr double kHeight = 0.45;                             // of the eye, in distances from the axis
-constexpr double kDistance = 1.42 / CameraTarget::kTangent;  // of the eye, in circumradii, from the centre
-constexpr double kLead = 0.5;                          // radians from which the face of the start comes to the front
+constexpr double kHeight = 0.45;     // of the eye, in distances from the axis, for a ball on an upright face
+constexpr double kHeightUp = 0.1;    // more, for a ball on the top
+constexpr double kHeightDown = 1.4;  // less, for a ball on the bottom
+constexpr double kMostBelow = 0.55;
+constexpr double kFollow = 1.2;       // rate of the turn to the ball, per second
+constexpr double kMaxFollow = 0.5;    // radians a second
+constexpr double kLead = 0.55;        // radians by which the face of the ball is aside of the front
+constexpr double kSize = 0.77;        // half of the solid, in half shorter sides of the picture
+constexpr double kSizeOfWidth = 0.5;  // at most, in half widths of a wide picture
+constexpr double kSizeAlone = 0.7;    // where it is not beside a menu
+constexpr double kAbove = 0.16;       // of the solid above the middle, in half heights, for the card below it
 constexpr double kShift = 2 * Turntable::kMiddle - 1;  // of the solid, in half widths of the picture
 
 constexpr float kTitle = 104;  // baselines above the lower edge of the screen
@@ -109,6 +116,20 @@ void addMedals(OverlayWriter& writer, const MedalTimes& times, glm::vec2 middle,
     writer.centred(medalText(medal, ticks), {x, middle.y}, kSmallestText, colourOf(medal));
     x += width;
   }
+}
+
+// Largest distance of a part of the solid from the middle of the picture as it turns below the eye.
+double reachOf(const SolidMesh& mesh) {
+  const double tilt = std::atan(kHeight + kHeightUp);
+  double reach = 0;
+  for (int face = 0; face < mesh.faces(); ++face) {
+    for (const glm::dvec2 corner : mesh.polygon()) {
+      const glm::dvec3 point = mesh.toWorld(face, corner);
+      const double aside = std::hypot(point.x, point.z);
+      reach = std::max({reach, aside, std::abs(point.y) * std::cos(tilt) + aside * std::sin(tilt)});
+    }
+  }
+  return reach;
 }
 
 }  // namespace
@@ -139,28 +160,31 @@ std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item) {
   return rows[std::min(item, rows.size() - 1)].level;
 }
 
-void Turntable::show(const std::shared_ptr<const Level>& level) {
-  if (level == level_) return;
-  level_ = level;
-  const Game game(level);
-  SceneSource source;
-  source.stage = makeStageModel(*level);
-  source.game = &game;
-  scene_ = makeScene(source);
-  const glm::dvec3 front = source.stage->mesh.normal(source.stage->start.face);
-  angle_ = std::atan2(front.z, front.x) - kLead;
+void Turntable::show(Scene scene, double seconds) {
+  const bool isNew = scene_.stage != scene.stage;
+  scene_ = std::move(scene);
+  const glm::dvec3 front = scene_.focus.normal;
+  const double angle = std::remainder(std::atan2(front.z, front.x) - kLead - angle_, 2 * std::numbers::pi);
+  const double height = std::max(kHeight + (front.y > 0 ? kHeightUp : kHeightDown) * front.y, -kMostBelow) - height_;
+  const double rate = kFollow * std::max(0.1, std::hypot(front.x, front.z));  // top and bottom have no direction
+  const auto part = [&](double way, double perSecond) {
+    return isNew ? way : way - std::copysign(leftAfter(std::abs(way), perSecond, kMaxFollow, seconds), way);
+  };
+  angle_ += part(angle, rate);
+  height_ += part(height, kFollow);
 }
-
-void Turntable::advance(double seconds) { angle_ = std::fmod(angle_ + kTurnPerSecond * seconds, 2 * std::numbers::pi); }
 
 Camera Turntable::camera(std::uint32_t w, std::uint32_t h) const {
   Camera camera;
   camera.resize(w, h);
-  const glm::dvec3 direction(std::cos(angle_), kHeight, std::sin(angle_));
+  const glm::dvec3 direction(std::cos(angle_), height_, std::sin(angle_));
   const SolidMesh& mesh = scene_.stage->mesh;
-  camera.place(glm::normalize(direction) * mesh.circumradius() * kDistance, {0, 1, 0}, mesh);
   const double aspect = double{1} * camera.width() / camera.height();
-  camera.setShift(aspect > kWide ? kShift : 0);
+  const bool beside = aspect > kWide;
+  const double size = beside ? std::min(kSize, kSizeOfWidth * aspect) : kSizeAlone;
+  const double distance = reachOf(mesh) * std::hypot(1, 1 / (CameraTarget::kTangent * size));
+  camera.place(glm::normalize(direction) * distance, {0, 1, 0}, mesh);
+  if (beside) camera.setShift({kShift, kAbove});
   return camera;
 }
 

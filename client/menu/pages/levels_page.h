@@ -38,7 +38,7 @@ std::size_t itemOfLevel(std::span<const LevelEntry> levels, std::size_t level);
 /// The level that an item of that page stands for; for a heading, the level below it. `levels` is not empty.
 std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item);
 
-/// Shows the whole solid of a level, which turns slowly, at the right of a menu.
+/// Shows the whole solid of a level at the right of a menu. It turns slowly, with the ball of its player in front.
 class Turntable {
  public:
   /// From this width by height on, a picture has room for the solid beside a menu.
@@ -46,22 +46,20 @@ class Turntable {
   /// Where the middle of the solid is then, in widths of the picture from the left.
   static constexpr double kMiddle = 0.71;
 
-  /// Shows this level from now on, first the face of its start if that is at a side. No effect if it does already.
-  void show(const std::shared_ptr<const Level>& level);
-  /// Turns the solid for `seconds`.
-  void advance(double seconds);
+  /// Shows this scene from now on, `seconds` after the last one. The solid turns slowly to where its ball, or its
+  /// start, is seen; on another stage at once.
+  void show(Scene scene, double seconds);
 
   /// Whether there is something to see.
   bool shows() const { return scene_.stage != nullptr; }
-  /// The level, without players.
   const Scene& scene() const { return scene_; }
   /// Sees the solid in a picture of w × h pixels. In a wide picture, the solid is in the right part of it.
   Camera camera(std::uint32_t w, std::uint32_t h) const;
 
  private:
-  std::shared_ptr<const Level> level_;
   Scene scene_;
-  double angle_ = 0;  // radians
+  double angle_ = 0;   // of the eye about the axis, radians
+  double height_ = 0;  // of the eye, in distances from the axis
 };
 
 /// Adds what is written below the solid that turns beside a menu: the title of its level, the players that it needs,

@@ -89,26 +89,26 @@ TEST_F(GameViewTest, TheNoticeIsInEveryPictureUntilItIsTakenBack) {
     set.set(scene_.focus, stage_->mesh, view.width(), view.height());
     return set;
   }();
-  const auto drawnStill = [&] {
-    view.drawStill(scene_, camera, {}, {}, view.screenWidth() / 2);
+  const auto drawnBeside = [&] {
+    view.drawBeside(scene_, camera, {}, {}, view.screenWidth() / 2);
     return view.read();
   };
   const Image game = drawn(view, &scene_);
   const Image empty = drawn(view, nullptr);
-  const Image still = drawnStill();
+  const Image beside = drawnBeside();
   view.setNotice("picture saved");
   EXPECT_NE(drawn(view, &scene_), game);
   EXPECT_NE(drawn(view, nullptr), empty);
-  const Image told = drawnStill();
-  EXPECT_NE(told, still);
+  const Image told = drawnBeside();
+  EXPECT_NE(told, beside);
   const auto differsAt = [&](int x) {
-    return pixel(told, {x, 2 * kHeight - 20}) != pixel(still, {x, 2 * kHeight - 20});
+    return pixel(told, {x, 2 * kHeight - 20}) != pixel(beside, {x, 2 * kHeight - 20});
   };
   EXPECT_TRUE(differsAt(3 * kWidth / 2)) << "in the middle of the right half";
   for (int x = 0; x < static_cast<int>(kWidth); ++x) EXPECT_FALSE(differsAt(x)) << x;
   view.setNotice("");
   EXPECT_EQ(drawn(view, nullptr), empty);
-  EXPECT_EQ(drawnStill(), still);
+  EXPECT_EQ(drawnBeside(), beside);
 }
 
 TEST_F(GameViewTest, OnAnotherStageTheCameraJumpsToItsTarget) {

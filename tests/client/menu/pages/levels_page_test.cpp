@@ -1,7 +1,10 @@
 #include "client/menu/pages/levels_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,7 +14,10 @@
 #include <glm/vec4.hpp>
 
 #include "client/menu/menu_layout.h"
+#include "client/scene/scene.h"
+#include "client/scene/stage_model.h"
 #include "client/ui/overlay.h"
+#include "platon/game/level.h"
 
 namespace platon::levels_page_test {
 namespace {
@@ -87,50 +93,77 @@ glm::dvec2 placeIn(const Camera& camera, glm::dvec3 point) {
   return glm::dvec2(clip) / clip.w;
 }
 
-class TurntableTest : public testing::Test {
- protected:
-  TurntableTest() {
-    const LevelResult result = loadLevel("TETRAHEDRON\n0 0 0 0\n0 20 0\n480\n%\n-30 -20 30 -20\n%\n%\n%\n");
-    turntable_.show(result.level);
-  }
-
-  Turntable turntable_;
-};
-
-TEST_F(TurntableTest, ShowsTheLevelWithoutPlayers) {
-  EXPECT_TRUE(turntable_.shows());
-  EXPECT_FALSE(Turntable().shows());
-  EXPECT_TRUE(turntable_.scene().players.empty());
+// A scene whose ball is here.
+Scene sceneAt(const std::shared_ptr<const StageModel>& stage, const Pose& ball) {
+  Scene scene;
+  scene.stage = stage;
+  scene.focus = ball;
+  return scene;
 }
 
-TEST_F(TurntableTest, TheWholeSolidIsInThePictureAsItTurns) {
-  const SolidMesh& mesh = turntable_.scene().stage->mesh;
-  for (int second = 0; second < 45; ++second) {
-    turntable_.advance(1);
-    for (const auto& [w, h] : {std::pair(1280U, 720U), {720U, 720U}, {400U, 900U}, {2520U, 1080U}}) {
-      const Camera camera = turntable_.camera(w, h);
-      for (int face = 0; face < mesh.faces(); ++face) {
-        for (const glm::dvec2 corner : mesh.polygon()) {
-          const glm::dvec2 place = placeIn(camera, mesh.toWorld(face, corner));
-          EXPECT_LT(std::abs(place.x), 1) << w << " × " << h;
-          EXPECT_LT(std::abs(place.y), 1) << w << " × " << h;
+std::shared_ptr<const StageModel> emptyStage(SolidKind kind) {
+  std::string text = std::string(nameOf(kind)) + "\n0 0 0 0\n0 20 0\n480\n";
+  for (int face = 0; face < PlatonicSolid::of(kind).faces(); ++face) text += "%\n";
+  return makeStageModel(*loadLevel(text).level);
+}
+
+void forEveryBall(const std::function<void(const std::shared_ptr<const StageModel>&, const Pose&)>& check) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    const auto stage = emptyStage(static_cast<SolidKind>(kind));
+    for (int face = 0; face < stage->mesh.faces(); ++face) check(stage, stage->mesh.pose(face, {30, -20}, 1));
+  }
+}
+
+TEST(Turntable, HasNothingToShowAtFirst) { EXPECT_FALSE(Turntable().shows()); }
+
+TEST(Turntable, TheWholeSolidIsInThePicture) {
+  forEveryBall([](const std::shared_ptr<const StageModel>& stage, const Pose& ball) {
+    Turntable turntable;
+    turntable.show(sceneAt(stage, ball), 0);
+    for (const auto& [w, h] : {std::pair(1280U, 720U), {960U, 720U}, {720U, 720U}, {400U, 900U}, {2520U, 1080U}}) {
+      const Camera camera = turntable.camera(w, h);
+      for (int face = 0; face < stage->mesh.faces(); ++face) {
+        for (const glm::dvec2 corner : stage->mesh.polygon()) {
+          const glm::dvec2 place = placeIn(camera, stage->mesh.toWorld(face, corner));
+          EXPECT_LT(std::max(std::abs(place.x), std::abs(place.y)), 1)
+              << stage->mesh.faces() << ", " << w << " × " << h;
         }
       }
     }
-  }
+  });
 }
 
-TEST_F(TurntableTest, InAWidePictureTheSolidIsAtTheRight) {
-  EXPECT_NEAR(placeIn(turntable_.camera(1280, 720), {0, 0, 0}).x, 0.42, 1e-9);
-  EXPECT_NEAR(placeIn(turntable_.camera(720, 720), {0, 0, 0}).x, 0, 1e-9);
+TEST(Turntable, InAWidePictureTheSolidIsAtTheRightAboveTheCard) {
+  Turntable turntable;
+  turntable.show(sceneAt(emptyStage(SolidKind::kTetrahedron), {}), 0);
+  EXPECT_NEAR(placeIn(turntable.camera(1280, 720), {0, 0, 0}).x, 0.42, 1e-9);
+  EXPECT_GT(placeIn(turntable.camera(1280, 720), {0, 0, 0}).y, 0.1);
+  EXPECT_LT(glm::length(placeIn(turntable.camera(720, 720), {0, 0, 0})), 1e-9);
 }
 
-TEST_F(TurntableTest, TurnsRoundIn40Seconds) {
-  const glm::dvec3 before = turntable_.camera(1280, 720).back();
-  turntable_.advance(20);
-  EXPECT_GT(glm::distance(turntable_.camera(1280, 720).back(), before), 1);
-  turntable_.advance(20);
-  EXPECT_LT(glm::distance(turntable_.camera(1280, 720).back(), before), 1e-9);
+bool isSeen(const Turntable& turntable, const Pose& ball) {
+  return glm::dot(ball.normal, turntable.camera(1280, 720).eye() - ball.position) > 0;
+}
+
+TEST(Turntable, ShowsTheBallAtOnceOnAnotherStage) {
+  forEveryBall([](const std::shared_ptr<const StageModel>& stage, const Pose& ball) {
+    Turntable turntable;
+    turntable.show(sceneAt(stage, ball), 0);
+    EXPECT_TRUE(isSeen(turntable, ball)) << stage->mesh.faces();
+  });
+}
+
+TEST(Turntable, TurnsSlowlyToTheBall) {
+  forEveryBall([](const std::shared_ptr<const StageModel>& stage, const Pose& ball) {
+    Turntable turntable;
+    turntable.show(sceneAt(stage, stage->mesh.pose(0, {0, 0}, 0)), 0);
+    for (int frame = 0; frame < 600; ++frame) {
+      const glm::dvec3 before = turntable.camera(1280, 720).back();
+      turntable.show(sceneAt(stage, ball), 1.0 / 30);
+      EXPECT_LT(glm::distance(turntable.camera(1280, 720).back(), before) * 30, 0.75);
+    }
+    EXPECT_TRUE(isSeen(turntable, ball)) << stage->mesh.faces();
+  });
 }
 
 std::vector<std::string> textsOf(const LevelEntry& level, float width, float scale = 1) {
