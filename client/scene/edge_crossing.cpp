@@ -124,6 +124,7 @@ void EdgeCrossing::advance(const StageModel& stage, const ElementStates& states,
   fade(passed);
   light(stage, states, pose, way, passed);
   follow(stage, pose, crossed, passed);
+  spread(stage.mesh, pose, crossed, passed);
   pose_ = pose;
   seconds_ = seconds;
 }
@@ -184,6 +185,24 @@ void EdgeCrossing::follow(const StageModel& stage, const Pose& pose, bool crosse
   if (arrowAge_ < kArrowSeconds) arrow_ = {face_, glm::vec2(place), angleOf(up)};
   tintAge_ = crossed ? kRise * tint_.light : std::min(tintAge_ + passed, kTintSeconds);
   tint_ = {face_, glm::vec2(up), std::min({1.0, tintAge_ / kRise, (kTintSeconds - tintAge_) / kTintFade})};
+}
+
+// From the edge that is nearest after the crossing.
+void EdgeCrossing::spread(const SolidMesh& mesh, const Pose& pose, bool crossed, double passed) {
+  waveAge_ = std::min(waveAge_ + passed, kWavePause);
+  if (!crossed || waveAge_ < kWavePause) return;
+  const glm::dvec2 place = onFace(mesh, face_, pose.position, 1);
+  EdgeFoot nearest = edgeFoot(mesh, 0, place);
+  for (int edge = 1; edge < mesh.solid().edgesPerFace(); ++edge) {
+    const EdgeFoot foot = edgeFoot(mesh, edge, place);
+    if (foot.distance < nearest.distance) nearest = foot;
+  }
+  wave_ = {face_, glm::vec2(nearest.point()), angleOf(nearest.outwards)};
+  waveAge_ = 0;
+}
+
+std::optional<EdgeCrossing::Wave> EdgeCrossing::wave() const {
+  return waveAge_ < kWaveSeconds ? std::optional(Wave{wave_, waveAge_ / kWaveSeconds}) : std::nullopt;
 }
 
 std::optional<EdgeCrossing::Arrow> EdgeCrossing::arrow() const {

@@ -21,9 +21,9 @@ bool wayIsFree(const StageModel& stage, const ElementStates& states, int face, g
 std::vector<double> freeFaces(const StageModel& stage, const ElementStates& states, const Pose& player);
 
 /// What shows that edges are doors and that down is carried over them: an edge that the local player can cross lights
-/// up while the ball is near, and after a crossing an arrow beside the ball points down for a moment and the walls that
-/// are floors now are tinted. A ball that falls over edge after edge shows the arrow once. Computed from its poses
-/// alone. It decides nothing.
+/// up while the ball is near; at a crossing a wave of light spreads from it, and after it an arrow beside the ball
+/// points down for a moment and the walls that are floors now are tinted. A ball that falls over edge after edge shows
+/// the arrow once. Computed from its poses alone. It decides nothing.
 class EdgeCrossing {
  public:
   static constexpr double kReach = 40;  ///< largest distance from the ball to an edge that is lit, level units
@@ -35,7 +35,10 @@ class EdgeCrossing {
   static constexpr double kTintSeconds = 2.4;
   static constexpr double kArrowPause = 2;   ///< without a crossing, before the next one shows an arrow
   static constexpr double kArrowBelow = 36;  ///< from the ball to the middle of the arrow, level units
-  static constexpr double kMaxStep = 60;     ///< a longer way between two pictures is a jump, such as a restart
+  static constexpr double kWaveSeconds = 0.45;
+  static constexpr double kWavePause =
+      0.5;                                ///< from the begin of a wave to the next, at least: two a second do not flash
+  static constexpr double kMaxStep = 60;  ///< a longer way between two pictures is a jump, such as a restart
 
   /// An edge that is lit.
   struct Glow {
@@ -46,6 +49,12 @@ class EdgeCrossing {
   struct Arrow {
     Marker place;
     double light = 0;  ///< 0 … 1
+  };
+
+  /// A wave that spreads from the point of an edge where the ball has crossed it.
+  struct Wave {
+    Marker foot;
+    double part = 0;  ///< of its time, 0 … 1
   };
 
   /// Walls whose outward normal points this way on the face carry the ball.
@@ -59,11 +68,15 @@ class EdgeCrossing {
   void advance(const StageModel& stage, const ElementStates& states, const Pose& pose, double seconds);
   /// Nothing is lit, and there is no arrow.
   void reset() { *this = EdgeCrossing(); }
-  /// No edge is lit.
-  void darken() { glows_.clear(); }
+  /// No edge is lit, and there is no wave.
+  void darken() {
+    glows_.clear();
+    waveAge_ = kWavePause;
+  }
 
   /// Each edge at most once.
   const std::vector<Glow>& glows() const { return glows_; }
+  std::optional<Wave> wave() const;
   std::optional<Arrow> arrow() const;
   std::optional<Tint> tint() const { return tint_.light > 0 ? std::optional(tint_) : std::nullopt; }
 
@@ -72,6 +85,7 @@ class EdgeCrossing {
   void fade(double passed);
   void light(const StageModel& stage, const ElementStates& states, const Pose& pose, glm::dvec3 way, double passed);
   void follow(const StageModel& stage, const Pose& pose, bool crossed, double passed);
+  void spread(const SolidMesh& mesh, const Pose& pose, bool crossed, double passed);
   Glow& glowOf(const SolidMesh& mesh, int edge);
 
   std::vector<Glow> glows_;
@@ -83,6 +97,8 @@ class EdgeCrossing {
   double arrowAge_ = kArrowSeconds;
   Tint tint_;
   double tintAge_ = kTintSeconds;
+  Marker wave_;
+  double waveAge_ = kWavePause;         // seconds, at most kWavePause
   double sinceCrossing_ = kArrowPause;  // seconds, at most kArrowPause
 };
 

@@ -55,6 +55,20 @@ ViewPoint LookRound::turned(const ViewPoint& view, const SolidMesh& mesh) const 
   return drawnBack(mesh, glm::normalize(view.orientation * turn), view.fromCentre(), part);
 }
 
+void CrossingPush::move(const Pose& player, double seconds) {
+  age_ = std::min(age_ + seconds, kPause);
+  const bool crossed = player_ && glm::dot(player_->normal, player.normal) < 1 - 1e-9 &&
+                       glm::distance(player_->position, player.position) < EdgeCrossing::kMaxStep;
+  if (crossed && age_ >= kPause) age_ = 0;
+  player_ = player;
+}
+
+// It begins fast and ends without a jerk.
+double CrossingPush::nearer() const {
+  const double part = std::min(age_ / kSeconds, 1.0);
+  return kNearer * 6.75 * part * (1 - part) * (1 - part);
+}
+
 namespace {
 
 // Of the far view, so that several faces are seen.
@@ -144,19 +158,25 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
   if (comfort_.instantCut && !look.held) look_.reset();
   camera_.setReach(flying() ? unfolding_.reach : 0);
   ViewPoint view = flightView(overview(player, stage->mesh), stage->mesh);
-  view.eye += kNearer * smootherstep(approach_) * (player.position - view.eye);
+  push_.move(player, seconds);
+  const double push = standsCalm() || longFall_ ? 0 : push_.nearer();
+  view.eye += (kNearer * smootherstep(approach_) + push) * (player.position - view.eye);
   farView_.move(view, longFall_, comfort_.instantCut || comfort_.view != CameraView::kFollow, seconds);
   view = farView_.view(view, stage->mesh);
   camera_.show(look_.turned(view, stage->mesh));
 }
 
 void GameCamera::approach(double seconds) {
-  if (comfort_.reducedMotion || comfort_.instantCut || comfort_.view != CameraView::kFollow) {
+  if (standsCalm()) {
     approach_ = 0;
     return;
   }
   approach_ += arrived_ ? seconds / kApproachSeconds : -seconds / kWithdrawalSeconds;
   approach_ = std::clamp(approach_, 0.0, 1.0);
+}
+
+bool GameCamera::standsCalm() const {
+  return comfort_.reducedMotion || comfort_.instantCut || comfort_.view != CameraView::kFollow;
 }
 
 void GameCamera::leaveOverview(double seconds) {
@@ -197,6 +217,7 @@ void GameCamera::begin(const Pose& player, const StageModel& stage) {
   flight_.stop();
   approach_ = 0;
   farView_.reset();
+  push_ = CrossingPush();
   begun_ = begunNow_;
   wholeFace_.reset();
   overview_ = begun_ || comfort_.view != CameraView::kFollow ? 0 : 1;

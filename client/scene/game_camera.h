@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,9 +89,27 @@ class FarView {
   glm::dquat beyond_{1, 0, 0, 0};  // the turn from there to the view of the fall
 };
 
+/// A short push of the camera towards the player who crosses an edge.
+class CrossingPush {
+ public:
+  static constexpr double kNearer = 0.03;  ///< part of the distance by which it comes nearer, at most
+  static constexpr double kSeconds = 0.3;  ///< there and back
+  static constexpr double kPause = 0.6;    ///< from the begin of a push to the next, at least
+
+  /// The player is here, `seconds` ≥ 0 after the last move.
+  void move(const Pose& player, double seconds);
+  /// Part of the distance by which the camera is nearer now.
+  double nearer() const;
+
+ private:
+  std::optional<Pose> player_;  // of the last move
+  double age_ = kPause;         // of the last push, seconds, at most kPause
+};
+
 /// The camera of the game: it flies from the goal to the player at the start of a level, while the unfolded solid is
-/// folded, shows the whole face until the player's first input, follows the player, comes slowly nearer at a finish,
-/// turns round the solid while the player looks round, and stands still far away while the player falls on and on.
+/// folded, shows the whole face until the player's first input, follows the player, is pushed a little where it crosses
+/// an edge, comes slowly nearer at a finish, turns round the solid while the player looks round, and stands still far
+/// away while the player falls on and on.
 class GameCamera {
  public:
   static constexpr double kNearer = 0.1;             ///< part of the distance by which it comes nearer at a finish
@@ -135,6 +154,7 @@ class GameCamera {
  private:
   void begin(const Pose& player, const StageModel& stage);
   void peek(const Pose& player, const StageModel& stage, const ElementStates& states, double seconds);
+  bool standsCalm() const;
   void approach(double seconds);
   void leaveOverview(double seconds);
   ViewPoint overview(const Pose& player, const SolidMesh& mesh);
@@ -150,6 +170,7 @@ class GameCamera {
   bool fadingCut_ = false;
   bool flights_ = false;
   bool arrived_ = false;
+  CrossingPush push_;
   double approach_ = 0;       // part of the time of the way nearer, 0 … 1
   std::vector<double> peek_;  // PeekWeights of the camera
   FaceHold wholeFace_;        // until the first input

@@ -29,7 +29,7 @@ ShaderProgram programOf(const std::string& marker) {
 // A program for each kind: drivers that draw with the processor execute all branches of a shader.
 MarkerPainter::MarkerPainter()
     : programs_{programOf("goal"),   programOf("burst"), programOf("start"), programOf("sign"),
-                programOf("shadow"), programOf("edge"),  programOf("arrow")} {}
+                programOf("shadow"), programOf("edge"),  programOf("arrow"), programOf("wave")} {}
 
 void MarkerPainter::draw(const StageModel& stage, const FaceView& view, const Marker& marker,
                          const Appearance& appearance) {
@@ -102,6 +102,7 @@ constexpr float kGoalReach = 4;     // radius of the goal's glow in goal radii
 constexpr float kBurstReach = 8;    // of the burst at a finish
 constexpr float kGlowLength = 110;  // of an edge that is lit, to each side of the ball, level units
 constexpr float kGlowWidth = 22;
+constexpr float kWaveRadius = 120;  // of the wave at a crossing, at its end
 constexpr float kArrowLength = 32;
 constexpr glm::vec4 kLabelColour(1, 1, 1, 0.13F);
 
@@ -242,6 +243,11 @@ void StagePainter::drawCrossing(const StageModel& stage, const FaceView& view, c
     appearance.height = kGlowWidth / kGlowLength;
     appearance.form.x = kGlowLength;
     markers_.draw(stage, view, glow.foot, appearance);
+  }
+  if (const std::optional<EdgeCrossing::Wave> wave = crossing.wave()) {
+    MarkerPainter::Appearance appearance{MarkerPainter::Kind::kWave, kWaveRadius, kWaveRadius * 1.2F};
+    appearance.opened = static_cast<float>(wave->part);
+    markers_.draw(stage, view, wave->foot, appearance);
   }
   const std::optional<EdgeCrossing::Arrow> arrow = crossing.arrow();
   if (!arrow) return;

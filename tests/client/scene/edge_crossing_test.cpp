@@ -168,6 +168,39 @@ TEST_F(EdgeCrossingTest, AnEdgeBehindAWallIsNotLit) {
   EXPECT_TRUE(crossing_.glows().empty());
 }
 
+TEST_F(EdgeCrossingTest, AWaveSpreadsFromTheCrossing) {
+  standAt(0, {236, 20});
+  EXPECT_FALSE(crossing_.wave());
+  while (walk_.face == 0) step({kRun, 0});
+  ASSERT_TRUE(crossing_.wave());
+  const Marker foot = crossing_.wave()->foot;
+  EXPECT_EQ(foot.face, walk_.face);
+  EXPECT_LT(glm::distance(stage_->mesh.toWorld(foot.face, foot.place), stage_->mesh.toWorld(0, {240, 20})), 1e-3);
+  EXPECT_EQ(crossing_.wave()->part, 0);
+  step({kRun, 0});
+  EXPECT_NEAR(crossing_.wave()->part, kFrame / EdgeCrossing::kWaveSeconds, 1e-9);
+  EXPECT_EQ(crossing_.wave()->foot.place, foot.place) << "it stays where it began";
+  EXPECT_NEAR(secondsUntil([this] { return !crossing_.wave(); }), EdgeCrossing::kWaveSeconds, 1.5 * kFrame);
+}
+
+// More than three flashes a second may harm.
+TEST_F(EdgeCrossingTest, WhoCrossesToAndFroSeesAtMostTwoWavesASecond) {
+  for (const int ticks : {1, 2, 5, 13, 29}) {
+    standAt(0, {239, 20});
+    int waves = 0;
+    double last = 1;
+    for (int tick = 0; tick < 600; ++tick) {
+      step({tick % (2 * ticks) < ticks ? 2 : -2, 0});
+      const double part = crossing_.wave() ? crossing_.wave()->part : 1;
+      waves += part < last ? 1 : 0;
+      last = part;
+    }
+    EXPECT_GT(waves, 5) << ticks;
+    EXPECT_LE(waves, 20) << ticks;
+    crossing_.reset();
+  }
+}
+
 TEST_F(EdgeCrossingTest, TheArrowPointsToTheNewDownBelowTheBall) {
   for (const double angle : {0.0, 1.2, 3.0}) {
     standAt(0, {236, 20}, angle);
@@ -253,6 +286,7 @@ TEST_F(EdgeCrossingTest, DarkenedItKeepsTheArrow) {
   while (walk_.face == 0) step({kRun, 0});
   crossing_.darken();
   EXPECT_TRUE(crossing_.glows().empty());
+  EXPECT_FALSE(crossing_.wave());
   EXPECT_TRUE(crossing_.arrow());
 }
 

@@ -20,6 +20,7 @@
 #include "client/scene/scene.h"
 #include "platon/game/game.h"
 #include "platon/game/level.h"
+#include "tests/client/scene/surface_walk.h"
 
 namespace platon::game_camera_test {
 namespace {
@@ -375,6 +376,54 @@ TEST_F(GameCameraTest, ReducedMotionInstantCutAndTheCameraOfAFaceComeNoNearer) {
     for (int frame = 0; frame < 120; ++frame) camera.move(player_, stage_, {}, {}, kFrame);
     EXPECT_LT(glm::distance(camera.camera().eye(), eye), 1e-9);
   }
+}
+
+struct Pushes {
+  int count = 0;
+  double most = 0;     // parts of the distance
+  double longest = 0;  // seconds
+};
+
+// How the camera differs from one that is not pushed, while the player crosses an edge to and fro, and turns round
+// after so many frames.
+Pushes pushesOf(const std::shared_ptr<const StageModel>& stage, const CameraComfort& comfort, int frames,
+                double seconds) {
+  SurfaceWalk walk{&stage->mesh, 0, {0, 222}, 0};
+  GameCamera pushed;
+  Camera usual;
+  pushed.resize(1280, 720);
+  pushed.setComfort(comfort, 1);
+  pushed.move(walk.pose(), stage, {}, {}, kFrame);
+  usual.setComfort(comfort);
+  usual.set(walk.pose(), stage->mesh, 1280, 720);
+  Pushes pushes;
+  double lasts = 0;
+  for (int frame = 0; frame * kFrame < seconds; ++frame) {
+    walk.step({0, (frame / frames % 2 == 0 ? 40.0 : -40.0) / frames});
+    pushed.move(walk.pose(), stage, {}, {}, kFrame);
+    usual.lerp(walk.pose(), stage->mesh, kFrame);
+    const glm::dvec3 way = usual.eye() - walk.pose().position;
+    const double nearer = 1 - glm::dot(pushed.camera().eye() - walk.pose().position, way) / glm::dot(way, way);
+    pushes.most = std::max(pushes.most, nearer);
+    pushes.count += nearer > 1e-6 && lasts == 0 ? 1 : 0;
+    lasts = nearer > 1e-6 ? lasts + kFrame : 0;
+    pushes.longest = std::max(pushes.longest, lasts);
+  }
+  return pushes;
+}
+
+TEST_F(GameCameraTest, ACrossingPushesItALittleAndBriefly) {
+  const Pushes once = pushesOf(stage_, {}, 60, 1.5);
+  EXPECT_EQ(once.count, 1);
+  EXPECT_NEAR(once.most, CrossingPush::kNearer, 0.2 * CrossingPush::kNearer);
+  EXPECT_LE(once.longest, CrossingPush::kSeconds + 1e-9);
+  const Pushes many = pushesOf(stage_, {}, 4, 6);
+  EXPECT_GT(many.count, 3);
+  EXPECT_LE(many.count, 10);
+  for (const CameraComfort& comfort :
+       {CameraComfort{.reducedMotion = true}, CameraComfort{.instantCut = true},
+        CameraComfort{.view = CameraView::kFace}, CameraComfort{.view = CameraView::kFaceFade}})
+    EXPECT_EQ(pushesOf(stage_, comfort, 60, 1.5).most, 0);
 }
 
 TEST_F(GameCameraTest, LooksRoundAndGoesBack) {
