@@ -75,7 +75,7 @@ void GameView::drawBeside(const Scene& scene, const Camera& camera, const Settin
 // The picture before a cut lies over those after it. It is kept before they are drawn.
 void GameView::fade(double seconds) {
   fadeLeft_ = std::max(0.0, fadeLeft_ - seconds / kFadeSeconds);
-  if (camera_.takeFadingCut()) {
+  if (camera_.takeFadingCut() && painted()) {
     renderer_.keepPicture();
     fadeLeft_ = 1;
   }

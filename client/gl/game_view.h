@@ -26,6 +26,9 @@ class GameView {
 
   /// What the next pictures may cost.
   void setQuality(const Quality& quality) { renderer_.setQuality(quality); }
+  /// Whether the next pictures are painted, as at first. If not, only all that moves in them goes on.
+  void setPainted(bool painted) { renderer_.setPainted(painted); }
+  bool painted() const { return renderer_.painted(); }
   /// No effect if a size is 0.
   void resize(std::uint32_t width, std::uint32_t height);
 

@@ -98,6 +98,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   stagePainter_.prepare(scene, quality_.fine, style.highContrast, style.animated);
   scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
   ballPainter_.setFine(quality_.fine);
+  if (!painted_) return;
   beginPicture();
   drawSolid(scene, camera, decoration);
   for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);
@@ -169,6 +170,7 @@ void Renderer::setQuality(const Quality& quality) {
 }
 
 void Renderer::drawEmpty(std::span<const Overlay> overlays) {
+  if (!painted_) return;
   beginPicture();
   drawOverlays(overlays);
 }

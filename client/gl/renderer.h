@@ -51,6 +51,9 @@ class Renderer {
   void draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
             const PictureStyle& style = PictureStyle());
 
+  /// Whether `draw` and `drawEmpty` paint, as at first. If not, `draw` only moves on what moves by itself.
+  void setPainted(bool painted) { painted_ = painted; }
+  bool painted() const { return painted_; }
   /// What the next pictures may cost.
   void setQuality(const Quality& quality);
   const Quality& quality() const { return quality_; }
@@ -83,6 +86,7 @@ class Renderer {
 
   Quality quality_ = namedQuality(QualityLevel::kHigh).quality;
   bool faceNumbers_ = false;
+  bool painted_ = true;
   std::vector<glm::dmat4> places_;
   std::weak_ptr<const StageModel> stage_;      // of the last scene
   std::map<std::uint32_t, BallMotion> balls_;  // by slot

@@ -9,7 +9,6 @@
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>
 
-#include "client/gl/gl_context.h"
 #include "client/ui/overlay.h"
 
 namespace platon {
@@ -142,7 +141,8 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
 
 }  // namespace
 
-Window::Window(const std::string& title, int width, int height) : handle_(openWindow(title, width, height)) {
+DesktopWindow::DesktopWindow(const std::string& title, int width, int height)
+    : handle_(openWindow(title, width, height)) {
   glfwSetWindowUserPointer(handle_, this);
   glfwSetKeyCallback(handle_, onKey);
   glfwSetCharCallback(handle_, onCharacter);
@@ -168,12 +168,12 @@ Window::Window(const std::string& title, int width, int height) : handle_(openWi
   poll();
 }
 
-Window::~Window() {
+DesktopWindow::~DesktopWindow() {
   glfwDestroyWindow(handle_);
   glfwTerminate();
 }
 
-void Window::poll() {
+void DesktopWindow::poll() {
   glfwPollEvents();
   const std::vector<KeyEvent> gamepadEvents = gamepadKeys_.update(readGamepads());
   events_.insert(events_.end(), gamepadEvents.begin(), gamepadEvents.end());
@@ -185,28 +185,28 @@ void Window::poll() {
   pixelHeight_ = static_cast<std::uint32_t>(height);
 }
 
-bool Window::focused() const { return !minimised() && glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE; }
+bool DesktopWindow::focused() const { return !minimised() && glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE; }
 
-bool Window::minimised() const {
+bool DesktopWindow::minimised() const {
   return pixelWidth_ == 0 || pixelHeight_ == 0 || glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) == GLFW_TRUE;
 }
 
-std::vector<WindowEvent> Window::takeEvents() { return std::exchange(events_, {}); }
+std::vector<WindowEvent> DesktopWindow::takeEvents() { return std::exchange(events_, {}); }
 
-std::string Window::clipboard() const {
+std::string DesktopWindow::clipboard() const {
   const char* const text = glfwGetClipboardString(handle_);
   return text == nullptr ? std::string() : std::string(text);
 }
 
-void Window::setVsync(bool vsync) {
+void DesktopWindow::setVsync(bool vsync) {
   if (vsync == vsync_) return;
   vsync_ = vsync;
   glfwSwapInterval(vsync ? 1 : 0);
 }
 
-void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
+void DesktopWindow::setTitle(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
 
-void Window::setFullscreen(bool fullscreen) {
+void DesktopWindow::setFullscreen(bool fullscreen) {
   const bool isFullscreen = glfwGetWindowMonitor(handle_) != nullptr;
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (fullscreen == isFullscreen || monitor == nullptr) return;
@@ -221,62 +221,62 @@ void Window::setFullscreen(bool fullscreen) {
   glfwSwapInterval(vsync_ ? 1 : 0);
 }
 
-void Window::show() { glfwSwapBuffers(handle_); }
+void DesktopWindow::show() { glfwSwapBuffers(handle_); }
 
-void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, int mods) {
+void DesktopWindow::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, int mods) {
   const std::optional<Key> known = keyOfGlfw(key);
   if (!known) return;
-  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  auto& window = *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle));
   window.events_.push_back(KeyEvent{*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0, (mods & GLFW_MOD_CONTROL) != 0,
                                     (mods & GLFW_MOD_SHIFT) != 0});
 }
 
-void Window::onCharacter(GLFWwindow* handle, unsigned codePoint) {
+void DesktopWindow::onCharacter(GLFWwindow* handle, unsigned codePoint) {
   KeyEvent event;
   event.kind = KeyEvent::Kind::kCharacter;
   event.character = codePoint;
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->events_.push_back(event);
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle))->events_.push_back(event);
 }
 
-void Window::onEnter(GLFWwindow* handle, int entered) {
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->entered_ = entered == GLFW_TRUE;
+void DesktopWindow::onEnter(GLFWwindow* handle, int entered) {
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle))->entered_ = entered == GLFW_TRUE;
 }
 
 // The window may have moved below the pointer: only the next place tells that the pointer moves.
-void Window::onMove(GLFWwindow* handle, double x, double y) {
-  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+void DesktopWindow::onMove(GLFWwindow* handle, double x, double y) {
+  auto& window = *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle));
   window.pointerX_ = x;
   window.pointerY_ = y;
   if (!std::exchange(window.entered_, false)) window.addPointerEvent(PointerEvent());
 }
 
-void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) {
+void DesktopWindow::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) {
   if (button > GLFW_MOUSE_BUTTON_4) return;  // the one that goes back
   PointerEvent event;
   event.kind = action == GLFW_PRESS ? PointerEvent::Kind::kPress : PointerEvent::Kind::kRelease;
   event.button = static_cast<PointerEvent::Button>(button);
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
 }
 
-void Window::onDrop(GLFWwindow* handle, int count, const char** paths) {
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))
+void DesktopWindow::onDrop(GLFWwindow* handle, int count, const char** paths) {
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle))
       ->events_.emplace_back(FilesDropped{std::vector<std::string>(paths, paths + count)});
 }
 
-void Window::onClose(GLFWwindow* handle) {
+void DesktopWindow::onClose(GLFWwindow* handle) {
   glfwSetWindowShouldClose(handle, GLFW_FALSE);
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->events_.emplace_back(CloseAsked());
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle))->events_.emplace_back(CloseAsked());
 }
 
-void Window::onScroll(GLFWwindow* handle, double /*x*/, double y) {
+void DesktopWindow::onScroll(GLFWwindow* handle, double /*x*/, double y) {
   PointerEvent event;
   event.kind = PointerEvent::Kind::kScroll;
   event.scroll = y;
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
 }
 
 // Adds the place and the keys that are held.
-void Window::addPointerEvent(PointerEvent event) {
+void DesktopWindow::addPointerEvent(PointerEvent event) {
   int width = 0;
   int height = 0;
   glfwGetWindowSize(handle_, &width, &height);

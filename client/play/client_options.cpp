@@ -67,6 +67,9 @@ void describe(ProgramOptions& program, ClientOptions& options, Words& words) {
   program.add("--password-file", words.passwordFile, "File with the server's password in its first line")
       .placeholder("FILE");
   program.addFlag("--offscreen", options.offscreen, "Play without a window; needs no display");
+  program.addFlag("--step", options.step,
+                  "Play by commands on standard input, such as 'press d', 'wait 0.5' and 'shot FILE.png'; needs "
+                  "--offscreen");
   program.addFlag("--demo", options.demo, "Let the program play automatically");
   program.add("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
       .range(0.1, 86400.0);
@@ -97,7 +100,7 @@ void checkMode(const ProgramOptions& program, const std::string& mode, const std
   if (file.empty()) return;
   refuse(program, mode,
          {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps", "--from", "--width", "--zoom",
-          "--players", "--edit", "--replay"});
+          "--players", "--edit", "--replay", "--step"});
   if (options.offscreen && options.screenshot.empty())
     throw std::invalid_argument(mode + " with --offscreen needs --screenshot FILE.png");
 }
@@ -108,14 +111,22 @@ void checkBenchmark(const ProgramOptions& program, const ClientOptions& options)
   if (!options.offscreen) throw std::invalid_argument("--benchmark needs --offscreen");
   refuse(program, "--benchmark",
          {"HOST", "--name", "--password-file", "--demo", "--seconds", "--screenshot", "--frames", "--fps", "--from",
-          "--width", "--zoom", "--players", "--edit", "--replay"});
+          "--width", "--zoom", "--players", "--edit", "--replay", "--step"});
+}
+
+// A server elsewhere does not wait for the commands.
+void checkStep(const ProgramOptions& program, const ClientOptions& options) {
+  if (!options.step) return;
+  if (!options.offscreen) throw std::invalid_argument("--step needs --offscreen");
+  refuse(program, "--step", {"HOST", "--password-file", "--seconds", "--screenshot", "--frames", "--list-url"});
 }
 
 void checkList(const ProgramOptions& program, const ClientOptions& options) {
   if (!options.list) return;
-  refuse(program, "--list",
-         {"HOST", "--level", "--name", "--password-file", "--offscreen", "--demo", "--seconds", "--screenshot",
-          "--benchmark", "--frames", "--fps", "--from", "--width", "--zoom", "--players", "--edit", "--replay"});
+  refuse(
+      program, "--list",
+      {"HOST", "--level", "--name", "--password-file", "--offscreen", "--demo", "--seconds", "--screenshot",
+       "--benchmark", "--frames", "--fps", "--from", "--width", "--zoom", "--players", "--edit", "--replay", "--step"});
 }
 
 void checkListUrl(const ProgramOptions& program, const ClientOptions& options) {
@@ -128,6 +139,7 @@ void checkModes(const ProgramOptions& program, const ClientOptions& options) {
   checkList(program, options);
   checkListUrl(program, options);
   checkBenchmark(program, options);
+  checkStep(program, options);
   if (options.edit.empty() && program.given("--solid")) throw std::invalid_argument("--solid works only with --edit");
   checkMode(program, "--edit", options.edit, options);
   checkMode(program, "--replay", options.replay, options);

@@ -28,6 +28,7 @@ struct ClientOptions {
   std::string name;                     ///< a valid label; empty: the server chooses a name
   ServerKnowledge knowledge{};          ///< of the server; the password from --password-file
   bool offscreen = false;
+  bool step = false;  ///< play by commands, in steps
   bool demo = false;
   std::optional<double> seconds;  ///< maximum duration
   std::string screenshot;         ///< PNG file for the last frame; empty: none

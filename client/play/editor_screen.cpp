@@ -116,7 +116,7 @@ void EditorScreen::showTitle() {
 
 void EditorScreen::draw(const Frame& /*frame*/) {
   picture_.draw(editor());
-  picture_.present();
+  if (window_->onScreen()) picture_.present();
 }
 
 void EditorScreen::leave() {

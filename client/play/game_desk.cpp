@@ -19,17 +19,18 @@ bool namesSomething(const ClientOptions& options) {
 
 }  // namespace
 
-GameDesk::GameDesk(const ClientOptions& given, const Clock& goesBy)
+GameDesk::GameDesk(const ClientOptions& given, const Clock& goesBy, Window& shownIn, Audio::Open openSound)
     : options(given),
       clock(goesBy),
       recentServers(recentServersFile()),
       interface(settingsFile.load()),
-      window(openWindow("to play without one, use --offscreen")),
+      window(shownIn),
       view(std::max(window.pixelWidth(), 1u), std::max(window.pixelHeight(), 1u)),
+      sound(std::move(openSound)),
       hints(interface.settings()),
       named{options.seconds.has_value(), namesSomething(options)} {
   view.draw(nullptr, {.message = "Loading …"}, Settings(), Overlay(), 0);
-  view.present();
+  if (window.onScreen()) view.present();
   window.show();
   menu.setClipboard([this] { return window.clipboard(); });
   if (!settingsFile.fault().empty()) tell(settingsFile.fault(), kFaultSeconds);
@@ -75,7 +76,8 @@ bool GameDesk::drawPreview(bool still, const Frame& frame) {
 }
 
 void GameDesk::present() {
-  view.present();
+  if (!view.painted()) return;
+  if (window.onScreen()) view.present();
   if (std::exchange(pictureAsked_, false)) pictures_.write(view.read());
 }
 

@@ -53,8 +53,9 @@ struct NamedPlay {
 /// sounds. The screen in front hands its events and frames on to it.
 class GameDesk {
  public:
-  /// Opens the window. Throws ProgramError if that fails.
-  GameDesk(const ClientOptions& options, const Clock& clock);
+  /// `shownIn` outlives the desk. `openSound` opens the audio device.
+  GameDesk(const ClientOptions& options, const Clock& clock, Window& shownIn,
+           Audio::Open openSound = &OpenalOutput::open);
 
   /// `inMenu`: the key belongs to a menu or a replay. Returns what the player asks for.
   std::optional<Action> handle(const KeyEvent& event, bool inMenu);
@@ -64,7 +65,7 @@ class GameDesk {
   /// Draws what a setting is judged on while the player changes one that can be judged only in motion and the game, if
   /// there is one, stands still (`still`). Returns whether it has.
   bool drawPreview(bool still, const Frame& frame);
-  /// Shows what has been drawn, and saves it if the player has asked for that.
+  /// Shows what has been drawn, if it was painted, and saves it if the player has asked for that.
   void present();
   /// Plays the music alone.
   void playMusic(const Frame& frame) { sound.update(nullptr, nullptr, std::nullopt, settings(), frame.seconds); }
@@ -87,7 +88,7 @@ class GameDesk {
   const RecentServers recentServers;
   SettingsFile settingsFile{configFolder()};
   UserInterface interface;
-  Window window;
+  Window& window;
   GameView view;
   Menu menu;
   SoundFeed sound;

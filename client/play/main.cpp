@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "client/play/game_desk.h"
 #include "client/play/offscreen/frame_benchmark.h"
 #include "client/play/offscreen/offscreen_play.h"
+#include "client/play/offscreen/step_play.h"
 #include "client/play/screen.h"
 #include "client/play/title_screen.h"
 #include "client/time/steady_now.h"
@@ -56,9 +58,10 @@ void show(ScreenStack& screens, Window& window, const Clock& clock, std::optiona
 }
 
 void playInWindow(const ClientOptions& options, const Clock& clock) {
-  GameDesk desk(options, clock);
+  DesktopWindow window = openWindow("to play without one, use --offscreen");
+  GameDesk desk(options, clock, window);
   ScreenStack screens(std::make_unique<TitleScreen>(desk));
-  show(screens, desk.window, clock, options.seconds);
+  show(screens, window, clock, options.seconds);
   if (desk.named.failure) throw ProgramError(*desk.named.failure);
 }
 
@@ -73,10 +76,23 @@ void playOffscreen(const ClientOptions& options, const Clock& clock) {
   play.finish();
 }
 
+// Ends at the end of the input, or by a signal, which ends the program at once.
+void playInSteps(const ClientOptions& options) {
+  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, SIG_DFL);
+  StepPlay play(options);
+  std::puts("ready");
+  std::fflush(stdout);
+  for (std::string command; play.isOpen() && std::getline(std::cin, command);) {
+    std::puts(play.obey(command).c_str());
+    std::fflush(stdout);
+  }
+}
+
 void edit(const ClientOptions& options, const Clock& clock) {
   EditSession session(options.edit, options.solid);
   if (!options.offscreen) {
-    Window window = openWindow("to draw the editor without one, use --offscreen --screenshot");
+    DesktopWindow window = openWindow("to draw the editor without one, use --offscreen --screenshot");
     const Settings settings = SettingsFile(configFolder()).load();
     ScreenStack screens(std::make_unique<EditorScreen>(session, window, settings, options.screenshot));
     return show(screens, window, clock, options.seconds);
@@ -164,6 +180,8 @@ int play(int argc, char** argv) {
     return listServers(*options, clock);
   } else if (options->benchmark) {
     benchmark(*options);
+  } else if (options->step) {
+    playInSteps(*options);
   } else if (!options->edit.empty()) {
     edit(*options, clock);
   } else if (!options->offscreen) {

@@ -58,7 +58,7 @@ Time frameTimeOf(bool calm, double frameCap) {
   return frameCap < 1 ? kMinFrameTime : std::max(kMinFrameTime, Time(static_cast<Time::rep>(1e6 / frameCap)));
 }
 
-Window openWindow(const std::string& otherwise) {
+DesktopWindow openWindow(const std::string& otherwise) {
   try {
     return {"Platon", static_cast<int>(kPictureWidth), static_cast<int>(kPictureHeight)};
   } catch (const NoOpenGl& error) {

@@ -125,7 +125,7 @@ Time frameTimeOf(bool calm, double frameCap);
 
 /// Opens the window of the program. Throws ProgramError if there is none. Without a display its text ends with
 /// `otherwise`, which says what can be done without a window.
-Window openWindow(const std::string& otherwise);
+DesktopWindow openWindow(const std::string& otherwise);
 
 /// Writes a picture for the option --screenshot, and says so.
 void writeScreenshot(const Image& picture, const std::string& file);

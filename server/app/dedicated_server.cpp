@@ -107,20 +107,21 @@ TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 
 UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
 
-DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log)
+DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log,
+                                 TimePoint start)
     : DedicatedServer(std::make_unique<UdpSocket>(settings.bind, settings.port), settings, std::move(levels),
-                      std::move(log)) {}
+                      std::move(log), start) {}
 
 DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const ServerSettings& settings,
-                                 std::vector<LevelPointer> levels, Log log)
+                                 std::vector<LevelPointer> levels, Log log, TimePoint start)
     : log_(std::move(log)),
       identity_(settings.identity ? *settings.identity : ServerIdentity::random()),
-      host_(std::move(socket), identity_, hostSettings(settings, identity_), timeOf(steadyNow()), hostRules()),
+      host_(std::move(socket), identity_, hostSettings(settings, identity_), timeOf(start), hostRules()),
       bestTimeFile_(settings.bestTimes),
       bestTimes_(bestTimesOf(settings.bestTimes)),
       match_(LevelRotation(std::move(levels), settings.start), matchSettings(settings), matchProgram()),
-      clock_(steadyNow()),
-      nextLogAt_(steadyNow() + kRejectedLogInterval) {
+      clock_(start),
+      nextLogAt_(start + kRejectedLogInterval) {
   if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
   updateInfo();
 }

@@ -44,10 +44,12 @@ class DedicatedServer {
  public:
   /// Opens the socket; `levels` must not be empty. Throws SocketError if that fails, and ProgramError if no recording
   /// can be written or the best times cannot be read.
-  DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
+  /// `start`: the time by the clock of the server.
+  DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log,
+                  TimePoint start = steadyNow());
   /// The same on another socket.
   DedicatedServer(std::unique_ptr<DatagramSocket> socket, const ServerSettings& settings,
-                  std::vector<LevelPointer> levels, Log log);
+                  std::vector<LevelPointer> levels, Log log, TimePoint start = steadyNow());
 
   /// Receives messages, runs one tick if it is due, and sends messages.
   void step(TimePoint now);

@@ -28,6 +28,7 @@ namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr const char* kAllAddresses = "::";
+constexpr const char* kStopReason = "the server stops";
 
 // The levels that come with the game; none if they cannot be read.
 std::vector<LevelPointer> levelsOfTheGame() {
@@ -86,6 +87,11 @@ ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   return settings;
 }
 
+std::function<TimePoint()> nowOf(const std::shared_ptr<const PausableClock>& clock) {
+  if (!clock) return steadyNow;
+  return [clock] { return TimePoint(clock->now()); };
+}
+
 // A player chooses the port on a page, not by an option.
 std::string listenFault(const EmbeddedSettings& settings, const SocketError& error) {
   constexpr std::uint16_t kFirstFree = 1024;
@@ -111,28 +117,33 @@ std::string noticeOf(const std::string& file, const std::string& error) {
 struct EmbeddedServer::Running {
   Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
           const std::shared_ptr<const PausableClock>& clock)
-      : levelFiles(files), server(serverSettings(settings), load(files), silentLog()) {
-    if (clock) now = [clock] { return TimePoint(clock->now()); };
+      : now(nowOf(clock)),
+        levelFiles(files),
+        server(serverSettings(settings), load(files), silentLog(), now()) {
     server.setClock(now);
-    thread = startThread([this] { run(); });
+    if (!settings.stepped) thread = startThread([this] { run(); });
   }
   ~Running() {
     stop = true;
-    thread.join();
+    thread.joinable() ? thread.join() : server.stop(kStopReason);
   }
 
   void run() {
     while (!stop) {
-      if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
-      server.match().countTimes(timesCount);
-      server.match().keepTimesOf(keptSlot);
-      if (nextAsked.exchange(false)) server.match().startNextRound();
-      server.step(now());
-      players = server.match().players();
-      waits = server.match().waits();
+      step();
       server.wait();
     }
-    server.stop("the server stops");
+    server.stop(kStopReason);
+  }
+
+  void step() {
+    if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+    server.match().countTimes(timesCount);
+    server.match().keepTimesOf(keptSlot);
+    if (nextAsked.exchange(false)) server.match().startNextRound();
+    server.step(now());
+    players = server.match().players();
+    waits = server.match().waits();
   }
 
   // Whoever plays the only level while it is made sees each version at once.
@@ -146,7 +157,7 @@ struct EmbeddedServer::Running {
     }
   }
 
-  std::function<TimePoint()> now = steadyNow;
+  std::function<TimePoint()> now;
   FileWatch levelFiles;
   DedicatedServer server;
   std::atomic<bool> stop{false};
@@ -155,7 +166,7 @@ struct EmbeddedServer::Running {
   std::atomic<std::uint32_t> keptSlot{UINT32_MAX};  // of nobody at first
   std::atomic<std::size_t> players{0};
   std::atomic<bool> waits{false};
-  std::thread thread;  // last: uses the members above from its start
+  std::thread thread;  // last: uses the members above from its start; not joinable: there is none
 };
 
 EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock) {
@@ -167,6 +178,10 @@ EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shar
 }
 
 EmbeddedServer::~EmbeddedServer() = default;
+
+void EmbeddedServer::step() {
+  if (!running_->thread.joinable()) running_->step();
+}
 
 ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
 

@@ -20,9 +20,10 @@ struct EmbeddedSettings {
   std::string password{};             ///< empty: none
   std::uint32_t maxPlayers = 16;      ///< 1 … kMaxPlayers
   bool waitsForOne = false;           ///< as MatchSettings::waitsForOne
+  bool stepped = false;               ///< it has no thread, and runs in EmbeddedServer::step
 };
 
-/// A dedicated server in a thread of this program.
+/// A dedicated server in this program, in a thread of its own unless it is stepped.
 class EmbeddedServer {
  public:
   /// Starts the server. Throws ProgramError. When the file of its only level changes, a new round plays it. If it is
@@ -34,6 +35,9 @@ class EmbeddedServer {
   ~EmbeddedServer();
   EmbeddedServer(const EmbeddedServer&) = delete;
   EmbeddedServer& operator=(const EmbeddedServer&) = delete;
+
+  /// Receives, runs a tick if it is due, and sends. No effect on a server with a thread.
+  void step();
 
   /// For a client in this program.
   ServerAddress address() const;

@@ -53,6 +53,12 @@ std::filesystem::path knownServersFile(const ServerKnowledge& knowledge) {
   return folder.empty() || knowledge.identity ? std::filesystem::path() : folder / "known_servers";
 }
 
+EmbeddedSettings ownSettings(const ClientOptions& options, const MatchChoice& choice) {
+  EmbeddedSettings settings = choice.own;
+  settings.stepped = options.step;
+  return settings;
+}
+
 const Round* roundOf(const NetworkClient& client) {
   return client.session() == nullptr ? nullptr : client.session()->round();
 }
@@ -116,7 +122,7 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
     : choice_(choice),
       clock_(clock),
       time_(std::make_shared<PausableClock>(clock.now)),
-      server_(choice.server ? nullptr : std::make_unique<EmbeddedServer>(choice.own, time_)),
+      server_(choice.server ? nullptr : std::make_unique<EmbeddedServer>(ownSettings(options, choice), time_)),
       memory_(choice, server_ ? server_->address() : *choice.server,
               server_ ? std::optional(server_->identity()) : std::nullopt),
       demo_(options.demo),
@@ -130,11 +136,16 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
 void LiveMatch::update(bool wantsPause, const Controls& controls, double speed) {
   time_->setPaused(wantsPause && alone() && client_.welcomed());
   run(alone() ? speed : 1);
-  client_.update(now(), controls);
+  exchange(now(), controls);
   report();
   noteChats();
   memory_.keep(client_);
   noteGoal();
+}
+
+void LiveMatch::exchange(Time now, const Controls& controls) {
+  if (server_) server_->step();
+  client_.update(now, controls);
 }
 
 // What counts is told before the time runs slower. What the demonstration reaches is nothing of the user.
@@ -203,7 +214,7 @@ void LiveMatch::leave() {
   reportRuns();
   const Time pauses = clock_.now() - now();
   const Clock clock{[this] { return now(); }, [this, pauses](Time until) { clock_.sleepUntil(until + pauses); }};
-  const auto update = [this](Time now) { client_.update(now, [](const Game&, std::uint32_t) { return Input{}; }); };
+  const auto update = [this](Time now) { exchange(now, [](const Game&, std::uint32_t) { return Input{}; }); };
   updateUntilClosed(clock, update, [this] { return client_.closed(); });
 }
 

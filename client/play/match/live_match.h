@@ -198,6 +198,7 @@ class LiveMatch {
     Time until{};
   };
 
+  void exchange(Time now, const Controls& controls);
   void run(double speed);
   void noteGoal();
   void report();

@@ -97,7 +97,7 @@ class WindowTest : public testing::Test {
     EXPECT_EQ(expected.height, window_.pixelHeight());
   }
 
-  Window window_{"Platon", kWidth, kHeight};
+  DesktopWindow window_{"Platon", kWidth, kHeight};
   GLFWwindow* handle_ = glfwGetCurrentContext();
   GameView view_{kWidth, kHeight};
 };
@@ -195,7 +195,7 @@ TEST_F(WindowTest, TheMouseIsDelivered) {
 // Before, a window that opened below the pointer, or came back there, got a movement.
 TEST(Window, APointerAtRestDoesNotMoveWhenAWindowComesToLieBelowIt) {
   xdotool("mousemove 640 512");
-  Window window("Platon", 1200, 900);
+  DesktopWindow window("Platon", 1200, 900);
   const auto firstMove = [&](const std::string& motion) {
     EXPECT_TRUE(stepUntil([&] { window.poll(); }, [&] { return window.focused(); }));
     xdotool("mousemove_relative " + motion);
@@ -446,7 +446,7 @@ TEST_F(WindowTest, TheWindowManagerAsksToCloseTheWindowWhichStaysOpen) {
 TEST(Window, WithoutADisplayTheReasonIsStated) {
   const EnvironmentVariable noDisplay("DISPLAY", std::nullopt);
   try {
-    const Window window("Platon", kWidth, kHeight);
+    const DesktopWindow window("Platon", kWidth, kHeight);
     ADD_FAILURE() << "a window opened";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()).find("cannot open a window: "), 0U) << error.what();

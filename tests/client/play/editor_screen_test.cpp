@@ -51,7 +51,7 @@ class EditorScreenTest : public testing::Test {
   testing::AssertionResult edit(std::vector<WindowStep> steps) {
     EditSession session(path_.string(), SolidKind::kHexahedron);
     editor_ = &session.editor();
-    Window window = openWindow("");
+    DesktopWindow window = openWindow("");
     const Settings settings = SettingsFile(configFolder()).load();
     ScreenStack screens(std::make_unique<EditorScreen>(session, window, settings, ""));
     const Time start = steadyClock().now();

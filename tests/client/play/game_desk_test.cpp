@@ -24,7 +24,8 @@ class GameDeskTest : public testing::Test {
   const TemporaryFolder folder_;
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
   const EnvironmentVariable pictures_{"XDG_PICTURES_DIR", folder_.path()};
-  GameDesk desk_{options(), steadyClock()};
+  DesktopWindow window_ = openWindow("");
+  GameDesk desk_{options(), steadyClock(), window_};
 };
 
 // The name of the game and the message are brighter than the sky behind them.

@@ -43,7 +43,7 @@ std::unique_ptr<OffscreenReplay> readToEnd(const ClientOptions& options) {
 }
 
 TEST(OldDriver, AWindowTellsThatOpenGl33IsMissing) {
-  EXPECT_EQ(reasonOf([] { const Window window("Platon", 640, 360); }), kText);
+  EXPECT_EQ(reasonOf([] { const DesktopWindow window("Platon", 640, 360); }), kText);
 }
 
 TEST(OldDriver, OffScreenTheReasonIsTheSame) {

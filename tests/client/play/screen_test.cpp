@@ -150,7 +150,7 @@ TEST(PlayWindow, AFrameTakesAsLongAsTheCapSaysAndLongerInACalmWindow) {
 
 // The window manager may take room for a frame.
 TEST(PlayWindow, IsAtMostOfTheSizeOfThePicture) {
-  const Window window = openWindow("");
+  const DesktopWindow window = openWindow("");
   EXPECT_GT(window.pixelWidth(), kPictureWidth / 2);
   EXPECT_LE(window.pixelWidth(), kPictureWidth);
   EXPECT_LE(window.pixelHeight(), kPictureHeight);

@@ -41,12 +41,13 @@ class WindowPlayTest : public testing::Test {
   // Plays until the player leaves or all steps are done.
   void play(std::vector<WindowStep> steps) {
     const Time start = steadyClock().now();  // before the time limit of the options begins
-    GameDesk desk(options_, steadyClock());
+    DesktopWindow window = openWindow("");
+    GameDesk desk(options_, steadyClock(), window);
     ScreenStack screens(std::make_unique<TitleScreen>(desk));
     desk_ = &desk;
     screens_ = &screens;
     const double limit = options_.seconds.value_or(kLimit);
-    stepsDone_ = runSteps(screens, desk.window, limit, std::move(steps));
+    stepsDone_ = runSteps(screens, window, limit, std::move(steps));
     timeIsUp_ = toSeconds(steadyClock().now() - start) >= limit;
     if (desk.named.failure) throw ProgramError(*desk.named.failure);
   }
