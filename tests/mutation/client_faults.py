@@ -24,6 +24,15 @@ CLIENT_FAULTS = [
     at_length("clock-runs-backwards", "client/scene/element_states.cpp", "return phase.isOpen ? 1 - left : left;", "return left;",
               "the clock of a timed segment empties while it is open, too",
               "ElementStates.TheClockOfATimedSegmentEmptiesAndFills"),
+    # Playing in steps.
+    at_length("typed-key-types-twice", "client/play/offscreen/step_play.cpp",
+              "    if (key) sendKey(*key, KeyEvent::Kind::kPress);\n", "    if (key) send(*key, KeyEvent::Kind::kPress);\n",
+              "a text that is typed has each character twice",
+              "StepPlay.ATextIsTypedAsByItsKeys"),
+    at_length("steps-without-repeats", "client/play/offscreen/step_play.cpp",
+              "    if (!held_.empty()) repeatFrame_ += kRepeatFrames;\n", "",
+              "a key that is held in a menu repeats only once",
+              "StepPlay.AKeyThatIsHeldRepeatsInAMenu"),
     # The list of players and the keys.
     at_length("old-round-trips-kept", SESSION + "talk.cpp", " && now - roundTripsAt_ <= kRoundTripTimeout;", ";",
               "a round trip is shown for ever after the last message",

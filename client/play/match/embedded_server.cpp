@@ -117,9 +117,7 @@ std::string noticeOf(const std::string& file, const std::string& error) {
 struct EmbeddedServer::Running {
   Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
           const std::shared_ptr<const PausableClock>& clock)
-      : now(nowOf(clock)),
-        levelFiles(files),
-        server(serverSettings(settings), load(files), silentLog(), now()) {
+      : now(nowOf(clock)), levelFiles(files), server(serverSettings(settings), load(files), silentLog(), now()) {
     server.setClock(now);
     if (!settings.stepped) thread = startThread([this] { run(); });
   }

@@ -178,10 +178,10 @@ void StepPlay::tap(Words& words) {
 void StepPlay::type(Words& words) {
   for (const char32_t character : codePointsOf(words.rest())) {
     const std::optional<Key> key = keyThatTypes(character);
-    if (key) send(*key, KeyEvent::Kind::kPress);
+    if (key) sendKey(*key, KeyEvent::Kind::kPress);
     sendCharacter(character);
     frame();
-    if (key) send(*key, KeyEvent::Kind::kRelease);
+    if (key) sendKey(*key, KeyEvent::Kind::kRelease);
   }
 }
 
@@ -265,10 +265,14 @@ bool StepPlay::holds(Key key) const { return std::find(held_.begin(), held_.end(
 
 // A key that types a character sends it after itself, as from a keyboard; with Alt or Ctrl it does not.
 void StepPlay::send(Key key, KeyEvent::Kind kind) {
-  KeyEvent event{key, kind, holds(Key::kAlt), holds(Key::kControl), holds(Key::kShift)};
-  screens_.handle(event);
-  const char32_t character = characterOf(key, event.shift);
-  if (kind != KeyEvent::Kind::kRelease && character != 0 && !event.alt && !event.ctrl) sendCharacter(character);
+  sendKey(key, kind);
+  const char32_t character = characterOf(key, holds(Key::kShift));
+  const bool types = character != 0 && !holds(Key::kAlt) && !holds(Key::kControl);
+  if (types && kind != KeyEvent::Kind::kRelease) sendCharacter(character);
+}
+
+void StepPlay::sendKey(Key key, KeyEvent::Kind kind) {
+  screens_.handle(KeyEvent{key, kind, holds(Key::kAlt), holds(Key::kControl), holds(Key::kShift)});
 }
 
 void StepPlay::sendCharacter(char32_t character) {

@@ -73,6 +73,7 @@ class StepPlay {
   void letGo(Key key);
   bool holds(Key key) const;
   void send(Key key, KeyEvent::Kind kind);
+  void sendKey(Key key, KeyEvent::Kind kind);
   void sendCharacter(char32_t character);
   void send(PointerEvent::Kind kind);
 

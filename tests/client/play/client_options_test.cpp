@@ -67,6 +67,21 @@ TEST(ClientOptions, TheBenchmarkExcludesAMatch) {
   }
 }
 
+TEST(ClientOptions, PlayingInStepsHasNoWindowAndNoServerElsewhere) {
+  EXPECT_TRUE(read({"--offscreen", "--step", "--level", "a.level", "--width", "640"})->step);
+  EXPECT_EQ(fault({"--step"}), "2 --step needs --offscreen");
+  for (const std::vector<const char*>& other :
+       {std::vector<const char*>{"HOST"}, {"--seconds", "3"}, {"--screenshot", "a.png"}, {"--frames", "/tmp"}}) {
+    std::vector<const char*> all{"--offscreen", "--step"};
+    all.insert(all.end(), other.begin(), other.end());
+    EXPECT_EQ(fault(all), "2 --step does not work with " + std::string(other.front()) + "; leave one of them out");
+  }
+  EXPECT_EQ(fault({"--offscreen", "--step", "--edit", "a"}),
+            "2 --edit does not work with --step; leave one of them out");
+  EXPECT_EQ(fault({"--offscreen", "--step", "--benchmark"}),
+            "2 --benchmark does not work with --step; leave one of them out");
+}
+
 TEST(ClientOptions, TheListOfServersExcludesPlaying) {
   EXPECT_TRUE(read({"--list"})->list);
   EXPECT_EQ(fault({"--list", "example.org"}), "2 --list does not work with HOST; leave one of them out");

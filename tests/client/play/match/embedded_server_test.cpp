@@ -48,6 +48,29 @@ TEST(EmbeddedServer, AcceptsAClientOnLoopback) {
   EXPECT_TRUE(connects(server.address()));
 }
 
+// Without a thread it answers only while it is stepped.
+TEST(EmbeddedServer, AServerThatIsSteppedGoesByItsCallerAlone) {
+  Time now = std::chrono::seconds(1000);
+  const auto clock = std::make_shared<PausableClock>([&now] { return now; });
+  EmbeddedServer server({.levels = {kLevel}, .stepped = true}, clock);
+  NetworkClient client(server.address(), {"someone"}, now);
+  const auto update = [&](int times, bool steps) {
+    for (int i = 0; i < times; ++i) {
+      now += std::chrono::microseconds(16'667);
+      if (steps) server.step();
+      client.update(now, [](const Game&, std::uint32_t) { return Input{}; });
+    }
+  };
+  update(60, false);
+  EXPECT_FALSE(client.welcomed());
+  update(60, true);
+  EXPECT_TRUE(client.welcomed());
+  ASSERT_TRUE(client.session() != nullptr && client.session()->round() != nullptr);
+  const std::uint32_t before = client.session()->round()->prediction().confirmedTicks();
+  update(60, true);
+  EXPECT_EQ(client.session()->round()->prediction().confirmedTicks() - before, 60U);
+}
+
 TEST(EmbeddedServer, WithoutALevelFileItPlaysTheShippedLevels) {
   const EmbeddedServer server({});
   EXPECT_TRUE(connects(server.address()));
