@@ -117,7 +117,7 @@ Input MatchScreen::choose(const Game& game, std::uint32_t slot, bool away) {
   if (desk_->options.demo) return demo_.choose(game, slot);
   const HeldKeys held = desk_->interface.takeHeld(away);
   if (held != HeldKeys()) desk_->view.skip();
-  desk_->hints.observe(game, slot, desk_->settings());
+  desk_->hints.observe(game, slot, looks_, desk_->settings());
   return steering_.input(held, desk_->view.roll(), desk_->settings().controls);
 }
 
@@ -149,7 +149,9 @@ void MatchScreen::draw(const Frame& frame) {
   if (scene) spectator_.direct(*scene, desk_->interface.keyHints());
   const HudStatus status = hudStatus(scene);
   view.setFlights(!inMenu);
-  view.look(inMenu ? LookInput() : mouseLook_.take(desk_->interface.look()));
+  const LookInput look = inMenu ? LookInput() : mouseLook_.take(desk_->interface.look());
+  looks_ = look.held && (look.direction != glm::dvec2(0) || look.turn != glm::dvec2(0));
+  view.look(look);
   const auto draw = [&] {
     view.draw(scene ? &*scene : nullptr, status, settings, desk_->menu.overlay(view.font(), true), frame.seconds);
     desk_->present();  // a part of the time that the trial measures

@@ -64,6 +64,7 @@ class MatchScreen : public Screen {
   Demo demo_{shippedWay};
   Steering steering_;
   MouseLook mouseLook_;
+  bool looks_ = false;  // the player turns the view, in the last frame
   Spectator spectator_;
   SkipQuestion skip_;
   NetMeter meter_;

@@ -238,6 +238,8 @@ constexpr std::array kSettings{
             .inMotion = true,
             .onlyAlone = true},
     Setting{.name = "first-keys", .line = 21, .value = SettingFlag{member<&S::firstKeys>()}, .group = Group::kHidden},
+    Setting{.name = "first-down", .line = 31, .value = SettingFlag{member<&S::firstDown>()}, .group = Group::kHidden},
+    Setting{.name = "first-look", .line = 32, .value = SettingFlag{member<&S::firstLook>()}, .group = Group::kHidden},
     Setting{.name = "list-url", .line = 23, .value = member<&S::listUrl>(), .group = Group::kHidden}};
 
 // The rows in the order of the file. Does not compile if two have the same line, or one is out of the file.

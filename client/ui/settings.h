@@ -35,6 +35,8 @@ struct Settings {
   bool netGraph = false;
   bool chat = true;            ///< shows what players say
   bool firstKeys = true;       ///< shows the first keys until they were used
+  bool firstDown = true;       ///< shows once that down has turned on a face
+  bool firstLook = true;       ///< shows how to look round until the player has done it
   UntoldElements untold;       ///< shows what these elements do until the ball has met one of each
   double volume = 80;          ///< of all sound, in percent
   double effectsVolume = 100;  ///< of the sounds of events

@@ -147,7 +147,15 @@ def do(folder, commands):
             reply = ask(lines, absolute(command.replace("\n", " "))) or ENDED
             failed = failed or not reply.startswith("ok")
             print(f"{command}: {reply.strip()}")
-    sys.exit(1 if failed else 0)
+    return not failed
+
+
+def stop(folder):
+    """Returns when the game has ended, and its folder is free for the next one."""
+    done = do(folder, ["quit"])
+    while (Path(folder) / "socket").exists():
+        time.sleep(0.02)
+    return done
 
 
 def main(arguments):
@@ -157,9 +165,9 @@ def main(arguments):
         case ["serve", folder, client, *options]:
             serve(folder, client, options)
         case ["do", folder, *commands] if commands:
-            do(folder, commands)
+            sys.exit(0 if do(folder, commands) else 1)
         case ["stop", folder]:
-            do(folder, ["quit"])
+            sys.exit(0 if stop(folder) else 1)
         case _:
             sys.exit(__doc__)
 

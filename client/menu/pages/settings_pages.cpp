@@ -126,7 +126,7 @@ MenuItem hintsItem(const char* label, Settings& settings) {
   const bool on = settings.firstKeys || settings.untold != UntoldElements{0};
   MenuItem item{MenuItem::Kind::kToggle, label, on ? "on" : "off", on ? 1.0 : 0.0};
   item.step = [&settings, on](int) {
-    settings.firstKeys = !on;
+    settings.firstKeys = settings.firstDown = settings.firstLook = !on;
     settings.untold = on ? UntoldElements{0} : UntoldElements();
   };
   return item;

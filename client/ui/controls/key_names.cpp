@@ -161,6 +161,12 @@ std::string KeyHints::of(Control control) const {
 
 std::string KeyHints::to(Control control, const std::string& what) const { return of(control) + ": " + what; }
 
+std::string KeyHints::look() const {
+  if (gamepad_) return std::string(shownNameOf(Key::kPadLookLeft));
+  const std::string key = nameOf(bindings_.keysOf(Control::kLook).first);
+  return key.empty() ? "right mouse button" : key + " and arrows";
+}
+
 std::string KeyHints::goOn() const {
   const std::string button = pad(Control::kVote);
   if (gamepad_ && !button.empty()) return button;

@@ -35,6 +35,8 @@ class KeyHints {
   /// The keys that run to both sides: `← → or A D`.
   std::string run() const;
 
+  /// What looks round the solid: `Tab and arrows`.
+  std::string look() const;
   /// The key that leads to the next level after the goal.
   std::string goOn() const;
   /// The key that pauses and opens the menu.

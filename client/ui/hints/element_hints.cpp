@@ -16,7 +16,7 @@ constexpr std::uint32_t kElementReadTicks = 4 * kTicksPerSecond;  // to read a h
 constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // after which the next kind has its turn
 constexpr double kNearElement = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
 
-// What a kind does; empty for doors: a level with doors has keys or plates, which tell of them.
+// What a kind does.
 std::string_view hintOf(ElementKind kind) {
   switch (kind) {
     case ElementKind::kOneway:
@@ -25,13 +25,13 @@ std::string_view hintOf(ElementKind kind) {
       return "A block is filled and solid while its arrow points to the top edge of the face, or the left of two top "
              "edges";
     case ElementKind::kHazard:
-      return "A zigzag sends you back to the start, or to your last flag";
+      return "Red thorns send you back to the start, or to your last flag";
     case ElementKind::kCheckpoint:
-      return "After you touch a flag, a zigzag sends you back to it";
+      return "After you touch a flag, red thorns send you back to it";
     case ElementKind::kKey:
       return "A key opens all doors with its number";
     case ElementKind::kDoor:
-      return {};
+      return "A door opens with the key of its number, or while somebody stands on the plate of its number";
     case ElementKind::kPlate:
       return "While somebody stands on a plate, the doors with its number are open";
     case ElementKind::kTimed:
@@ -84,23 +84,27 @@ bool parse(std::string_view text, UntoldElements& untold) {
 std::uint8_t ElementHints::nextOf(ElementKindMask open) const {
   for (std::size_t step = 1; step <= kNone + std::size_t{1}; ++step) {
     const std::size_t kind = (kind_ + step) % (kNone + std::size_t{1});
-    if ((open & bit(kind)) != 0 && !hintOf(kElementKinds[kind]).empty()) return static_cast<std::uint8_t>(kind);
+    if ((open & bit(kind)) != 0) return static_cast<std::uint8_t>(kind);
   }
   return kNone;
 }
 
+void ElementHints::tell(std::uint8_t kind) {
+  kind_ = kind;
+  ticks_ = 0;
+}
+
 void ElementHints::observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements,
-                           UntoldElements& untold) {
+                           bool shown, UntoldElements& untold) {
   const ElementKindMask open = kindsOf(elements) & untold.mask;
-  if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) {
-    kind_ = nextOf(open);
-    ticks_ = 0;
-  }
+  met_ &= open;
+  if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) tell(nextOf(open));
   if (kind_ == kNone || player.startedAt == 0 || player.arrived != 0) return;
   for (const Element& element : elements) {
-    if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind));
+    if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind)) & open;
   }
-  if (++ticks_ < kElementReadTicks || (met_ & bit(kind_)) == 0) return;
+  if (!isDue() && met_ != 0) tell(nextOf(met_));
+  if (!shown || ++ticks_ < kElementReadTicks || !isDue()) return;
   untold.mask &= ~bit(kind_);
   met_ &= ~bit(kind_);
 }

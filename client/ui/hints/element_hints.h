@@ -27,18 +27,22 @@ std::string textOf(UntoldElements untold);
 /// Reads what textOf writes. Another text changes nothing and returns false.
 bool parse(std::string_view text, UntoldElements& untold);
 
-/// Tells a new player what the elements of a level do, one kind at a time, in turns until the ball has met one of it.
+/// Tells a new player what the elements of a level do, one kind at a time: the one that the ball meets, else all in
+/// turns until the ball has met one of each.
 class ElementHints {
  public:
-  /// Notes a tick of the player in a level with these elements. A kind that the ball has met, and whose hint was shown
-  /// long enough, leaves `untold`. A restart changes nothing.
-  void observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements,
+  /// Notes a tick of the player in a level with these elements. `shown`: the hint was on the screen. A kind that the
+  /// ball has met, and whose hint was shown long enough, leaves `untold`. A restart changes nothing.
+  void observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements, bool shown,
                UntoldElements& untold);
   /// What the kind does that is told now; empty if there is none.
   std::string_view hint() const;
+  /// Whether the ball has met an element of this kind, so that it is time for its hint.
+  bool isDue() const { return kind_ != kNone && (met_ & ElementKindMask{1} << kind_) != 0; }
 
  private:
-  // The next kind of `open` that has a hint, which may be the present one; kNone if there is none.
+  void tell(std::uint8_t kind);
+  // The next kind of `open`, which may be the present one; kNone if there is none.
   std::uint8_t nextOf(ElementKindMask open) const;
 
   std::uint8_t kind_ = kNone;  // index into kElementKinds

@@ -14,8 +14,8 @@ namespace platon::setting_table_test {
 namespace {
 
 PLATON_MEMBERS(Settings, comfort, controls, bindings, toggled, zoom, uiScale, quality, fullscreen, vsync, frameCap,
-               gameSpeed, netGraph, chat, firstKeys, untold, volume, effectsVolume, musicVolume, timer, ghosts, ball,
-               flashes, highContrast, faceNumbers, listUrl)
+               gameSpeed, netGraph, chat, firstKeys, firstDown, firstLook, untold, volume, effectsVolume, musicVolume,
+               timer, ghosts, ball, flashes, highContrast, faceNumbers, listUrl)
 PLATON_MEMBERS(CameraComfort, turnRate, instantCut, reducedMotion, view)
 PLATON_MEMBERS(ToggledControls, slow, look)
 PLATON_MEMBERS(QualityChoice, level, scale, samples)

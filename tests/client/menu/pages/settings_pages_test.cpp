@@ -205,9 +205,10 @@ TEST(SettingsPage, HintsAreOnWhileOneIsLeft) {
   item().step(1);
   EXPECT_EQ(item().value, "off");
   EXPECT_EQ(settings.untold, UntoldElements{0});
+  EXPECT_FALSE(settings.firstKeys || settings.firstDown || settings.firstLook);
   item().step(1);
   EXPECT_EQ(item().value, "on");
-  EXPECT_TRUE(settings.firstKeys);
+  EXPECT_TRUE(settings.firstKeys && settings.firstDown && settings.firstLook);
   EXPECT_EQ(settings.untold, UntoldElements());
 }
 

@@ -71,6 +71,14 @@ TEST(KeyHints, EnterGoesOnAndWithAGamepadTheButtonOfTheVote) {
   EXPECT_EQ(KeyHints({}, true).goOn(), "pad Y");
 }
 
+TEST(KeyHints, NameWhatLooksRound) {
+  EXPECT_EQ(KeyHints().look(), "Tab and arrows");
+  EXPECT_EQ(KeyHints({}, true).look(), "right stick");
+  Bindings bindings;
+  bindings.clear(Control::kLook);
+  EXPECT_EQ(KeyHints(bindings).look(), "right mouse button");
+}
+
 TEST(KeyHints, NameTheKeysOfBothSides) {
   EXPECT_EQ(KeyHints().run(), "← → or A D");
   EXPECT_EQ(KeyHints({}, true).run(), "stick ← stick →");
