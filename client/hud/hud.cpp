@@ -246,8 +246,8 @@ std::vector<std::string> linesOf(const std::string& text, const Font& font, floa
 std::string hintOf(const Scene& scene, const HudStatus& status) {
   if (scene.needsRestart) return status.keys.to(Control::kRestart, "back to the start");
   if (scene.neededPlayers == 0) {
-    const std::string between = status.medal.empty() || status.hint.empty() ? "" : " · ";
-    return status.medal + between + status.hint;
+    const std::string medal = ownMedalText(scene, status.medals);
+    return medal + (medal.empty() || status.hint.empty() ? "" : " · ") + status.hint;
   }
   return "This level needs " + std::to_string(scene.neededPlayers) + " players. " +
          status.keys.to(Control::kVote, "next level");
@@ -304,19 +304,30 @@ void placeGraph(HudSpace& space, const NetGraph& graph, const Font& font) {
   if (!space.add(part)) space.add(movedBy(part, {0, -up}));
 }
 
-// What the local player has reached and may do, one above the other from the lowest on.
-struct LowerTexts {
-  std::string keys;
-  std::string reached{};
-};
-
-LowerTexts lowerTextsOf(const Scene& scene, const HudStatus& status, const Font& font) {
-  if (!status.summary || !showsOwnResult(scene, *status.summary)) return {hintOf(scene, status)};
-  return {ownKeysOf(*status.summary, status.keys, font), ownResultOf(scene, status.run, status.medal)};
+bool hasOwnResult(const Scene& scene, const HudStatus& status) {
+  return status.summary && showsOwnResult(scene, *status.summary);
 }
 
-// At the lower edge the message, above it the notice, and above that what the player may do and has reached.
-void placeTexts(HudSpace& space, const HudStatus& status, const LowerTexts& own, const Font& font) {
+// What the player may do.
+std::string actionOf(const Scene& scene, const HudStatus& status, const Font& font) {
+  return hasOwnResult(scene, status) ? ownKeysOf(*status.summary, status.keys, font) : hintOf(scene, status);
+}
+
+// In the upper half, below the title; where there is little room, without its headline.
+void placeOwnResult(HudSpace& space, const Scene& scene, const HudStatus& status, const Font& font) {
+  constexpr float kTop = 76;
+  OwnResult result = ownResultOf(scene, status.run, status.medals);
+  const auto place = [&] {
+    const glm::vec2 top(space.screen().x / 2, kTop);
+    return space.add(drawn(font, [&](OverlayWriter& writer) { addOwnResult(writer, result, top); }));
+  };
+  if (place()) return;
+  result.headline.clear();
+  place();
+}
+
+// At the lower edge the message, above it the notice, and above that what the player may do.
+void placeTexts(HudSpace& space, const HudStatus& status, const std::string& action, const Font& font) {
   glm::vec2 middle(space.screen().x / 2, space.startOfFoot() - 40);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     const std::vector<std::string> lines = linesOf(text, font, space.screen().x, kTextSize);
@@ -327,8 +338,7 @@ void placeTexts(HudSpace& space, const HudStatus& status, const LowerTexts& own,
   };
   add(status.message, status.warning ? kWarning : kBright);
   add(status.notice, kGold);
-  add(own.keys, kBright);
-  add(own.reached, kGold);
+  add(action, kBright);
 }
 
 }  // namespace
@@ -402,8 +412,9 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   const float width = Overlay::widthFor(camera.width(), camera.height());
   HudSpace space = spaceFor(status, font, width);
   const glm::vec2 screen = space.screen();
-  placeTexts(space, status, status.underMenu ? LowerTexts() : lowerTextsOf(scene, status, font), font);
+  placeTexts(space, status, status.underMenu ? "" : actionOf(scene, status, font), font);
   if (status.underMenu) return scaledBy(space.overlay(), status.scale);
+  if (hasOwnResult(scene, status)) placeOwnResult(space, scene, status, font);
   space.add(drawn(font, [&](OverlayWriter& writer) { addTitle(writer, scene, font, screen.x); }));
   space.add(drawn(font, [&](OverlayWriter& writer) { addTimes(writer, scene, status); }));
   if (status.vote) {

@@ -14,6 +14,7 @@
 #include "client/scene/scene.h"
 #include "client/ui/controls/key_names.h"
 #include "client/ui/font.h"
+#include "client/ui/medal.h"
 #include "client/ui/overlay.h"
 #include "client/ui/run_timer.h"
 
@@ -34,7 +35,7 @@ struct HudStatus {
   std::string notice{};                   ///< text of the server's operator; empty: none
   std::optional<VoteStatus> vote{};       ///< nothing: nobody has voted
   std::optional<RoundSummary> summary{};  ///< nothing: the round has not ended
-  std::string medal{};                    ///< what the own time at the goal is worth; empty: nothing to tell
+  std::optional<MedalTimes> medals{};     ///< of the level, once its goal is reached; nothing: none is told
   RunStatus run{};                        ///< how the attempt compares with the best run
   bool timer = true;                      ///< show the own time and `run`
   std::vector<std::string> chat{};        ///< what players have said lately, oldest first

@@ -27,6 +27,21 @@ std::string bestText(const RoundSummary& summary) {
   return "Best time " + finishText(*summary.bestSeconds) + ", " + summary.bestName;
 }
 
+// What a time has given, and up to which time there is more.
+std::string medalLineOf(const MedalTimes& times, Medal medal) {
+  const auto inTime = [](std::uint32_t ticks) { return " in " + finishTextOf(ticks) + " or less"; };
+  switch (medal) {
+    case Medal::kGold:
+      return "Gold medal";
+    case Medal::kSilver:
+      return "Silver medal. Gold" + inTime(times.gold);
+    case Medal::kBronze:
+      return "Bronze medal. Silver" + inTime(times.silver);
+    default:
+      return "Bronze medal" + inTime(times.bronze);
+  }
+}
+
 std::string nextTitleOf(const RoundSummary& summary, const Font& font, float width) {
   return fittedText(summary.nextTitle, font, width / kPanelTextSize);
 }
@@ -58,18 +73,57 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
   return summary.waits && scene.attempt && scene.attempt->arrived;
 }
 
-std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::string& medal) {
-  std::string reached = "Goal in " + finishText(scene.attempt->seconds);
-  if (run.speed < 1) return reached + " " + slowedText(run.speed);
-  if (!run.notRecorded.empty()) reached += ", " + run.notRecorded;
-  if (run.isNewBest) reached += run.difference ? " – new best" : " – your first finish";
-  if (run.difference) reached += " (" + differenceText(*run.difference) + " s)";
-  return medal.empty() ? reached : reached + " · " + medal;
+OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optional<MedalTimes>& medals) {
+  OwnResult result;
+  result.headline = "Goal!";
+  result.time = finishText(scene.attempt->seconds);
+  if (run.speed < 1) {
+    result.time += " " + slowedText(run.speed);
+    return result;
+  }
+  if (run.isNewBest) result.headline = run.difference ? "New best time!" : "Level complete!";
+  if (run.difference) result.time += " (" + differenceText(*run.difference) + " s)";
+  if (!run.notRecorded.empty()) result.time += ", " + run.notRecorded;
+  if (!medals) return result;
+  const std::uint32_t ticks = *arrivalTicksOf(scene);
+  const Medal medal = medalFor(*medals, ticks);
+  if (medal != Medal::kNone) result.stars = starsOf(medal);
+  result.colour = colourOf(medal);
+  result.medal = medalLineOf(*medals, medal);
+  return result;
+}
+
+void addOwnResult(OverlayWriter& writer, const OwnResult& result, glm::vec2 top) {
+  constexpr float kPadding = 18;
+  constexpr float kLineHeight = 1.35F;  // of a text of size 1
+  struct Line {
+    std::string text;
+    float size;
+    glm::vec4 colour;
+  };
+  std::vector<Line> lines{{result.headline, 34, kBright},
+                          {result.stars, 60, result.colour},
+                          {result.time, 24, kGold},
+                          {result.medal, 18, kBright}};
+  std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
+  float width = 0;
+  float height = kPadding;
+  for (const Line& line : lines) {
+    width = std::max(width, writer.width(line.text, line.size));
+    height += kLineHeight * line.size;
+  }
+  const glm::vec2 half(width / 2 + 2 * kPadding, 0);
+  writer.panel(top - half, top + half + glm::vec2(0, height), kPadding, kPanel);
+  top.y += kPadding / 2;
+  for (const Line& line : lines) {
+    writer.centred(line.text, {top.x, top.y + line.size}, line.size, line.colour);
+    top.y += kLineHeight * line.size;
+  }
 }
 
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font) {
   return keys.goOn() + ": next level (" + nextTitleOf(summary, font, kPanelWidth) + ") · " +
-         keys.to(Control::kRestart, "try again");
+         keys.to(Control::kRestart, "try again") + " · " + keys.menu() + ": menu";
 }
 
 void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const RunStatus& run,

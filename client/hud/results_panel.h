@@ -6,6 +6,7 @@
 
 #include "client/scene/scene.h"
 #include "client/ui/controls/key_names.h"
+#include "client/ui/medal.h"
 #include "client/ui/overlay.h"
 #include "client/ui/run_timer.h"
 
@@ -23,8 +24,18 @@ struct RoundSummary {
 
 /// Whether the local player is at the goal of a round that waits for it.
 bool showsOwnResult(const Scene& scene, const RoundSummary& summary);
-/// What this player has reached, and what it is worth; `scene` has an attempt.
-std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::string& medal);
+/// What this player has reached, each a line; empty lines are left out.
+struct OwnResult {
+  std::string headline;
+  std::string stars;    ///< of the medal; empty: none
+  glm::vec4 colour{1};  ///< of the stars
+  std::string time;
+  std::string medal;  ///< its name, and what is next
+};
+/// `medals`: of the level; nothing: it has none. `scene` has an attempt that has arrived.
+OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optional<MedalTimes>& medals);
+/// Adds it on a panel whose upper edge has this middle.
+void addOwnResult(OverlayWriter& writer, const OwnResult& result, glm::vec2 top);
 /// The keys with which it goes on.
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font);
 

@@ -164,7 +164,7 @@ HudStatus MatchScreen::hudStatus(const std::optional<Scene>& scene) {
   HudStatus status = match_.hudStatus(desk_->settings(), desk_->interface.helpShown());
   status.keys = desk_->interface.keyHints();
   status.hint = hint(status.summary.has_value());
-  if (scene && match_.leastSpeed() == 1) status.medal = medal(*scene);
+  if (scene && match_.leastSpeed() == 1) status.medals = medals(*scene);
   status.underMenu = desk_->menu.isOpen() && !desk_->menu.standsAside();
   return status;
 }
@@ -177,12 +177,15 @@ std::string MatchScreen::hint(bool roundOver) const {
   return desk_->view.flying() ? "" : desk_->hints.hint(keys);  // the goal in the picture is not the ball
 }
 
-// Of the own time, while the player is at the goal.
-std::string MatchScreen::medal(const Scene& scene) {
+// While the player is at the goal.
+std::optional<MedalTimes> MatchScreen::medals(const Scene& scene) {
   const std::shared_ptr<const Level> level = match_.level();
-  if (!level || !scene.attempt || !scene.attempt->arrived) return medals_.reset(), "";
+  if (!level || !arrivalTicksOf(scene)) {
+    medals_.reset();
+    return std::nullopt;
+  }
   if (!medals_) medals_ = medalsOf_(level);
-  return ownMedalText(scene, *medals_);
+  return *medals_;
 }
 
 // During an outage nothing is heard.

@@ -50,7 +50,7 @@ class MatchScreen : public Screen {
   void checkEnding();
   HudStatus hudStatus(const std::optional<Scene>& scene);
   std::string hint(bool roundOver) const;
-  std::string medal(const Scene& scene);
+  std::optional<MedalTimes> medals(const Scene& scene);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
 
   GameDesk* desk_;

@@ -22,7 +22,7 @@ void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, d
   const Overlay unscaled = makeReplayBar(status, view.font(), view.screen() / scale);
   const std::array bar{scaledBy(unscaled, scale)};
   HudStatus shown;
-  shown.medal = ownMedalText(scene, context.medals);
+  shown.medals = context.medals;
   view.draw(&scene, shown, settings, Overlay(), seconds, bar);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kStep = kTicksPerSecond / 10;
 constexpr std::array<const char*, 4> kStars{"☆☆☆", "★☆☆", "★★☆", "★★★"};
-constexpr std::array<const char*, 4> kMedalNames{"no medal", "bronze", "silver", "gold"};
+constexpr std::array<const char*, 4> kMedalNames{"", "bronze", "silver", "gold"};
 constexpr std::array<glm::vec4, 4> kMedalColours{overlay_colours::kSoft, glm::vec4(0.90F, 0.62F, 0.42F, 1),
                                                  glm::vec4(0.84F, 0.89F, 0.95F, 1), overlay_colours::kGold};
 
@@ -42,6 +42,7 @@ glm::vec4 colourOf(Medal medal) { return kMedalColours[static_cast<std::size_t>(
 
 std::string medalText(const MedalTimes& times, std::uint32_t ticks) {
   const Medal medal = medalFor(times, ticks);
+  if (medal == Medal::kNone) return nextMedalText(times, ticks);
   const std::string own = starsOf(medal) + " " + nameOf(medal);
   return medal == Medal::kGold ? own : own + ", " + nextMedalText(times, ticks);
 }

@@ -31,7 +31,7 @@ std::string starsOf(std::optional<Medal> medal);
 /// The colour of the medal; that of soft text without one.
 glm::vec4 colourOf(Medal medal);
 
-/// What a time has given, and what is next: `★★☆ gold: 12.30 s`.
+/// What a time has given, and what is next: `★★☆ silver, gold: 12.30 s`; without a medal only that: `bronze: 31.50 s`.
 std::string medalText(const MedalTimes& times, std::uint32_t ticks);
 
 /// The next better medal and its time: `gold: 12.30 s`; `gold` if it has been reached. `best`: nothing: no time yet.

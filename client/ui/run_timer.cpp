@@ -37,9 +37,14 @@ std::string differenceText(double seconds) {
 
 std::string slowedText(double speed) { return "at " + std::to_string(std::lround(speed * 100)) + " % speed, not kept"; }
 
+std::optional<std::uint32_t> arrivalTicksOf(const Scene& scene) {
+  if (!scene.attempt || !scene.attempt->arrived) return std::nullopt;
+  return static_cast<std::uint32_t>(std::lround(scene.attempt->seconds * kTicksPerSecond));
+}
+
 std::string ownMedalText(const Scene& scene, const std::optional<MedalTimes>& times) {
-  if (!times || !scene.attempt || !scene.attempt->arrived) return "";
-  return medalText(*times, static_cast<std::uint32_t>(std::lround(scene.attempt->seconds * kTicksPerSecond)));
+  const std::optional<std::uint32_t> ticks = arrivalTicksOf(scene);
+  return times && ticks ? medalText(*times, *ticks) : "";
 }
 
 void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, glm::vec2 place) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -24,8 +25,10 @@ std::string differenceText(double seconds);
 /// What is told of a time that was reached at less than full speed: `at 50 % speed, not kept`.
 std::string slowedText(double speed);
 
-/// What the time of the local player's attempt is worth once it has reached the goal; empty before, and on a level
-/// without medals.
+/// The time of the local player's attempt in ticks once it has reached the goal; nothing before.
+std::optional<std::uint32_t> arrivalTicksOf(const Scene& scene);
+
+/// What this time is worth; empty before the goal, and on a level without medals.
 std::string ownMedalText(const Scene& scene, const std::optional<MedalTimes>& times);
 
 /// The time of the local player's attempt, beside it the difference, and below it the best time. In a round without a

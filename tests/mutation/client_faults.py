@@ -33,6 +33,9 @@ CLIENT_FAULTS = [
               "    if (!held_.empty()) repeatFrame_ += kRepeatFrames;\n", "",
               "a key that is held in a menu repeats only once",
               "StepPlay.AKeyThatIsHeldRepeatsInAMenu"),
+    at_length("first-finish-is-any", "client/hud/results_panel.cpp", 'run.difference ? "New best time!" : "Level complete!"', '"New best time!"',
+              "the first finish of a level is not celebrated as such",
+              "ResultsPanel.TheFirstFinishIsCelebratedWithOrWithoutAMedal"),
     # The hints for new players.
     at_length("unseen-hint-read", UI + "hints/element_hints.cpp",
               "  if (!shown || ++ticks_ < kElementReadTicks || !isDue()) return;\n",

@@ -82,7 +82,7 @@ TEST_F(HudPicturesTest, TheGoalAlone) {
   arrive();
   status_.run = {.best = 10.96, .difference = -0.52, .isNewBest = true};
   status_.summary = RoundSummary{.nextTitle = "Thorns above", .bestSeconds = 10.96, .bestName = "Ann", .waits = true};
-  status_.medal = "★★☆ silver, gold: 10.20 s";
+  status_.medals = MedalTimes{612, 800, 1200};
   expectHud("goal");
 }
 

@@ -227,7 +227,7 @@ TEST(HudBoxes, NothingOverlapsWhatPlayersReachAndNeed) {
     Scene scene = longScene(2, false, true);
     HudStatus status;
     status.keys = KeyHints(longKeys(), false);
-    status.medal = "☆☆☆ no medal, bronze: 1234.50 s";
+    status.medals = MedalTimes{1, 2, 74070};
     status.run = {
         .best = 3599.99, .difference = 3599.99, .isNewBest = false, .notRecorded = "too many players to be recorded"};
     status.summary = RoundSummary{.nextTitle = std::string(100, 'W'), .waits = true};

@@ -99,16 +99,55 @@ TEST(ResultsPanel, ManyPlayersAndLongTextsStayOnTheScreen) {
   }
 }
 
-TEST(ResultsPanel, APlayerWhoIsAloneReadsItsTimeOnceAndTheKeys) {
+constexpr MedalTimes kMedals{.gold = 600, .silver = 900, .bronze = 1200};  // 10 s, 15 s and 20 s
+
+// The lines of what a player who is alone has reached in this time.
+std::vector<std::string> ownLines(double seconds, const RunStatus& run,
+                                  const std::optional<MedalTimes>& medals = std::nullopt) {
   Scene scene = sceneOf(1);
-  scene.attempt = {12.34, true};
-  EXPECT_EQ(ownResultOf(scene, {}, ""), "Goal in 12.34 s");
-  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .isNewBest = true}, ""), "Goal in 12.34 s – your first finish");
-  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .difference = -0.5, .isNewBest = true}, ""),
-            "Goal in 12.34 s – new best (−0.50 s)");
-  EXPECT_EQ(ownResultOf(scene, {.best = 11.84, .difference = 0.5}, ""), "Goal in 12.34 s (+0.50 s)");
-  EXPECT_EQ(ownResultOf(scene, {}, "★★☆ gold: 9.50 s"), "Goal in 12.34 s · ★★☆ gold: 9.50 s");
-  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level (Corners) · R: try again");
+  scene.attempt = {seconds, true};
+  OverlayWriter writer(font());
+  addOwnResult(writer, ownResultOf(scene, run, medals), {kWidth / 2, 76});
+  return linesOf(writer.take());
+}
+using Lines = std::vector<std::string>;
+
+TEST(ResultsPanel, TheFirstFinishIsCelebratedWithOrWithoutAMedal) {
+  const RunStatus first{.best = 12.34, .isNewBest = true};
+  EXPECT_EQ(ownLines(12.34, first), (Lines{"Level complete!", "12.34 s"}));
+  EXPECT_EQ(ownLines(25, first, kMedals), (Lines{"Level complete!", "25.00 s", "Bronze medal in 20.00 s or less"}));
+  EXPECT_EQ(ownLines(20, first, kMedals),
+            (Lines{"Level complete!", "★☆☆", "20.00 s", "Bronze medal. Silver in 15.00 s or less"}));
+  EXPECT_EQ(ownLines(15, first, kMedals),
+            (Lines{"Level complete!", "★★☆", "15.00 s", "Silver medal. Gold in 10.00 s or less"}));
+  EXPECT_EQ(ownLines(10, first, kMedals), (Lines{"Level complete!", "★★★", "10.00 s", "Gold medal"}));
+}
+
+TEST(ResultsPanel, LaterOnesTellTheDifferenceToTheBest) {
+  EXPECT_EQ(ownLines(12.34, {.best = 12.34, .difference = -0.5, .isNewBest = true}),
+            (Lines{"New best time!", "12.34 s (−0.50 s)"}));
+  EXPECT_EQ(ownLines(12.34, {.best = 11.84, .difference = 0.5}), (Lines{"Goal!", "12.34 s (+0.50 s)"}));
+  EXPECT_EQ(ownLines(12.34, {}), (Lines{"Goal!", "12.34 s"}));
+}
+
+TEST(ResultsPanel, StarsAreLargeAndHaveTheColourOfTheMedal) {
+  Scene scene = sceneOf(1);
+  scene.attempt = {15, true};
+  OverlayWriter writer(font());
+  addOwnResult(writer, ownResultOf(scene, {}, kMedals), {kWidth / 2, 76});
+  const Overlay panel = writer.take();
+  for (const Overlay::Text& text : panel.texts) {
+    if (text.content != "★★☆") continue;
+    EXPECT_EQ(text.colour, colourOf(Medal::kSilver));
+    EXPECT_GE(text.size, 3 * kSmallestText);
+    return;
+  }
+  ADD_FAILURE() << "no stars";
+}
+
+TEST(ResultsPanel, APlayerWhoIsAloneReadsTheKeysToGoOn) {
+  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()),
+            "Enter: next level (Corners) · R: try again · Esc: menu");
 }
 
 TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
@@ -122,9 +161,7 @@ TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
 }
 
 TEST(ResultsPanel, TellsThatASlowedGameIsNotKept) {
-  Scene scene = sceneOf(1);
-  scene.attempt = {12.34, true};
-  EXPECT_EQ(ownResultOf(scene, {.speed = 0.75}, ""), "Goal in 12.34 s at 75 % speed, not kept");
+  EXPECT_EQ(ownLines(12.34, {.speed = 0.75}, kMedals), (Lines{"Goal!", "12.34 s at 75 % speed, not kept"}));
 }
 
 TEST(ResultsPanel, AlsoTheResultsOfARoundWithATimeLimitTellIt) {
@@ -136,10 +173,8 @@ TEST(ResultsPanel, AlsoTheResultsOfARoundWithATimeLimitTellIt) {
 }
 
 TEST(ResultsPanel, TellsThatARunIsTooLongToBeRecorded) {
-  Scene scene = sceneOf(1);
-  scene.attempt = {2000, true};
-  EXPECT_EQ(ownResultOf(scene, {.notRecorded = "too long to be recorded"}, ""),
-            "Goal in 2000.00 s, too long to be recorded");
+  EXPECT_EQ(ownLines(2000, {.notRecorded = "too long to be recorded"}),
+            (Lines{"Goal!", "2000.00 s, too long to be recorded"}));
 }
 
 }  // namespace
