@@ -27,7 +27,8 @@ constexpr float kScrollBar = 6;
 constexpr const char* kBack = "‹ Back";
 constexpr float kBackSize = 16;
 constexpr float kBackHeight = 30;
-constexpr std::size_t kMaxNotes = 6;  // lines
+constexpr std::size_t kMaxNotes = 6;    // lines
+constexpr std::size_t kAboutLines = 2;  // of what is said about an item
 constexpr std::size_t kFewestRows = 2;
 
 struct TitleForm {
@@ -199,6 +200,13 @@ void addScrollBar(MenuLayout& layout, std::size_t count, std::size_t visible, fl
   layout.scrollThumb.high.y = layout.scrollThumb.low.y + part(visible);
 }
 
+// Below the rows, if an item has something to say.
+float aboutHeight(const MenuPage& page) {
+  const bool any =
+      std::any_of(page.items.begin(), page.items.end(), [](const MenuItem& item) { return !item.about.empty(); });
+  return any ? kPadding / 2 + kNoteHeight * static_cast<float>(kAboutLines) : 0;
+}
+
 constexpr glm::vec4 kDim{0.02F, 0.02F, 0.05F, 0.55F};
 constexpr glm::vec4 kSheet{0.07F, 0.08F, 0.13F, 0.94F};
 constexpr glm::vec4 kRowColour{0.10F, 0.12F, 0.20F, 0.55F};
@@ -213,7 +221,8 @@ float baselineOf(const MenuLine& line) {
 
 class Painter {
  public:
-  Painter(const MenuPage& page, const MenuLook& look, const Font& font) : page_(&page), look_(&look), writer_(font) {}
+  Painter(const MenuPage& page, const MenuLook& look, const Font& font)
+      : page_(&page), look_(&look), font_(&font), writer_(font) {}
 
   void paintRow(const MenuRow& row) {
     const MenuItem& item = page_->items[row.item];
@@ -239,6 +248,18 @@ class Painter {
     left(layout.title, kBright);
     if (!layout.back.box.empty()) paintBackMark(layout.back);
     for (const MenuLine& note : layout.notes) left(note, page_->warning ? kWarning : kSoft);
+  }
+
+  void paintAbout(const MenuBox& box) {
+    if (look_->aside || box.empty() || look_->focus >= page_->items.size()) return;
+    std::vector<std::string> lines = wrapText(page_->items[look_->focus].about, *font_, box.width() / kNoteSize);
+    if (lines.size() > kAboutLines) lines[kAboutLines - 1] += " …";
+    lines.resize(std::min(lines.size(), kAboutLines));
+    MenuBox place{box.low, {box.high.x, box.low.y + kNoteHeight}};
+    for (const std::string& line : lines) {
+      left(lineIn(place, line, *font_, kNoteSize), kBright);
+      place = {{place.low.x, place.high.y}, {place.high.x, place.high.y + kNoteHeight}};
+    }
   }
 
   Overlay take() { return scaledBy(writer_.take(), look_->scale); }
@@ -308,6 +329,7 @@ class Painter {
 
   const MenuPage* page_;
   const MenuLook* look_;
+  const Font* font_;
   OverlayWriter writer_;
 };
 
@@ -328,14 +350,15 @@ MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, cons
   const MenuBox column = columnOf(page, screen);
   const TitleForm title = titleForm(page, screen);
   const float width = column.width() - 2 * kPadding;
-  const float room = column.height() - 2 * kPadding - title.height;
+  const float about = aboutHeight(page);
+  const float room = column.height() - 2 * kPadding - title.height - about;
   const std::vector<std::string> notes = noteLines(page, font, width, room);
   const float noteHeight = notes.empty() ? 0 : kNoteHeight * static_cast<float>(notes.size()) + kPadding / 2;
   const float step = kRowHeight + kRowGap;
   const auto fitting = static_cast<std::size_t>(std::max(1.0F, (room - noteHeight + kRowGap) / step));
   const std::size_t visible = std::min(page.items.size(), fitting);
-  const float height =
-      2 * kPadding + title.height + noteHeight + step * static_cast<float>(visible) - (visible > 0 ? kRowGap : 0);
+  const float height = 2 * kPadding + title.height + noteHeight + step * static_cast<float>(visible) -
+                       (visible > 0 ? kRowGap : 0) + about;
   const float top = std::max(kScreenMargin, (screen.y - height) / 2);
   layout.panel = {{column.low.x, top}, {column.high.x, std::min(top + height, screen.y - kScreenMargin)}};
   const float left = column.low.x + kPadding;
@@ -354,6 +377,7 @@ MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, cons
   for (std::size_t i = layout.first; i < std::min(layout.first + visible, page.items.size()); ++i, y += step) {
     layout.rows.push_back(rowOf(page, i, {{left, y}, {left + width, y + kRowHeight}}, font));
   }
+  if (about > 0) layout.about = {{left, y - kRowGap + kPadding / 2}, {left + width, y - kRowGap + about}};
   if (visible < page.items.size()) addScrollBar(layout, page.items.size(), visible, rowsTop, y - kRowGap);
   return layout;
 }
@@ -362,6 +386,7 @@ Overlay paintMenu(const MenuPage& page, const MenuLayout& layout, const MenuLook
   Painter painter(page, look, font);
   painter.paintSheet(layout, width);
   for (const MenuRow& row : layout.rows) painter.paintRow(row);
+  painter.paintAbout(layout.about);
   return painter.take();
 }
 

@@ -49,6 +49,7 @@ struct MenuLayout {
   std::vector<MenuLine> notes;
   std::vector<MenuRow> rows;  ///< the visible ones, in order
   std::size_t first = 0;      ///< item of the first row
+  MenuBox about{};            ///< for MenuItem::about of the item with the focus; empty if no item has one
   MenuBox scrollTrack{};      ///< empty if all items are visible
   MenuBox scrollThumb{};
 };

@@ -26,6 +26,7 @@ struct MenuItem {
   std::optional<glm::vec4> valueColour{};  ///< of a kAction; nothing: that of the name
   TextField* field = nullptr;              ///< of a kText
   bool secret = false;                     ///< of a kText: its characters are shown as dots
+  std::string about{};                     ///< a sentence for the player, shown while it has the focus
   bool inMotion = false;                   ///< its value can be judged only on a game that runs
   bool flips = false;                      ///< of a kChoice: it has two values, and each step leads to the other one
 

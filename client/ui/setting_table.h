@@ -67,6 +67,7 @@ struct Setting {
       value;
   SettingGroup group;
   const char* label = "";  ///< of the menu item; of kHidden: none
+  const char* about = "";  ///< what it does, as MenuItem::about
   bool inMotion = false;   ///< as MenuItem::inMotion
   bool onlyAlone = false;  ///< the menu shows it only to who is alone on the own machine
 };

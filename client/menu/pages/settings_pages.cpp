@@ -118,6 +118,7 @@ MenuItem samplesItem(const char* label, QualityChoice& choice) {
 MenuItem measureItem(QualityChoice& choice) {
   MenuItem item{MenuItem::Kind::kAction, "Measure and choose the quality"};
   item.choose = [&choice] { choice = {}; };
+  item.about = "Draws the first pictures of the next match and chooses the best quality that is smooth.";
   return item;
 }
 
@@ -166,7 +167,10 @@ struct ItemMaker {
 
 std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings) {
   std::vector<MenuItem> items = std::visit(ItemMaker{setting.label, settings}, setting.value);
-  for (MenuItem& item : items) item.inMotion = setting.inMotion;
+  for (MenuItem& item : items) {
+    item.inMotion = setting.inMotion;
+    if (item.about.empty()) item.about = setting.about;
+  }
   return items;
 }
 
@@ -181,6 +185,7 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys,
       page.items.push_back({MenuItem::Kind::kHeading, kGroupNames[static_cast<std::size_t>(group)]});
       if (group == SettingGroup::kControls) {
         page.items.push_back({.name = "Keys and buttons", .value = "choose", .choose = showKeys});
+        page.items.back().about = "Choose which key and which button of a gamepad does what.";
       }
     }
     for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));

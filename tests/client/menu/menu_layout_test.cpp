@@ -55,6 +55,7 @@ std::vector<MenuBox> boxesOf(const MenuLayout& layout) {
     if (!row.control.empty() && !overlap(row.control, row.value.box)) boxes.push_back(row.control);
   }
   if (!layout.scrollTrack.empty()) boxes.push_back(layout.scrollTrack);
+  if (!layout.about.empty()) boxes.push_back(layout.about);
   return boxes;
 }
 
@@ -96,6 +97,7 @@ TEST(MenuLayout, NothingOverlapsAndNothingIsOutsideTheScreen) {
           page.large = large;
           page.backMark = !large;
           page.items = itemsOfEveryKind(field, isLong);
+          if (isLong) page.items.back().about = std::string(300, 'a');
           for (std::size_t focus = 1; focus < page.items.size(); ++focus) {
             SCOPED_TRACE(testing::Message()
                          << screen.x << " × " << screen.y << " focus " << focus << " long " << isLong);
@@ -162,6 +164,40 @@ TEST(MenuLayout, ThePagesOfSettingsAndKeysShowAllTheirTexts) {
     expectReal(controlsPage(bindings, form));
     form = {};
   }
+}
+
+// The texts of a menu in a box, from the first line on.
+std::string textIn(const MenuBox& box, const Overlay& menu) {
+  std::string shown;
+  for (const Overlay::Text& text : menu.texts) {
+    if (box.contains(text.place)) shown += (shown.empty() ? "" : " ") + text.content;
+  }
+  return shown;
+}
+
+TEST(MenuLayout, BelowTheSettingsStandsWhatTheOneWithTheFocusDoes) {
+  Settings settings;
+  const MenuPage page = settingsPage(settings, [] {});
+  for (const glm::vec2 screen : pictures()) {
+    for (std::size_t focus = 0; focus < page.items.size(); ++focus) {
+      if (!page.items[focus].canHaveFocus()) continue;
+      const MenuLayout layout = layOut(page, font(), screen, {0, focus});
+      EXPECT_FALSE(page.items[focus].about.empty()) << page.items[focus].name;
+      EXPECT_EQ(textIn(layout.about, paintMenu(page, layout, {.focus = focus}, font(), screen.x)),
+                page.items[focus].about)
+          << "on a screen of " << screen.x << " × " << screen.y;
+      for (const MenuRow& row : layout.rows) EXPECT_LE(row.box.high.y, layout.about.low.y);
+    }
+  }
+}
+
+TEST(MenuLayout, APageThatSaysNothingAboutItsItemsKeepsNoRoomForIt) {
+  MenuPage page{"Title"};
+  page.items = {{.name = "one"}, {.name = "two"}};
+  const MenuLayout before = layOut(page, font(), {1280, 720}, {});
+  EXPECT_TRUE(before.about.empty());
+  page.items.back().about = "what it does";
+  EXPECT_GT(layOut(page, font(), {1280, 720}, {}).panel.height(), before.panel.height());
 }
 
 TEST(MenuLayout, TheListsOfServersAndRunsShowTheirFacts) {
