@@ -46,6 +46,9 @@ std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
   const auto row = [&](Control control, const char* meaning) {
     return Row{keys(control), pad(hints.pad(control)), meaning};
   };
+  std::string emotes;
+  for (const Control control : {Control::kEmote1, Control::kEmote2, Control::kEmote3, Control::kEmote4})
+    emotes += (emotes.empty() ? "" : " ") + hints.of(control);
   const std::string run = brief ? hints.of(Control::kLeft) + " " + hints.of(Control::kRight) : hints.run();
   return {{run, pad("stick: 3 speeds"), "run"},
           row(Control::kSlow, "run slower"),
@@ -57,6 +60,7 @@ std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
           row(Control::kVote, "next level, or a vote for it"),
           row(Control::kWatch, "after the goal: watch others"),
           row(Control::kSay, "talk to all players"),
+          {emotes, "", "wave, laugh, here!, thanks"},
           {"F1", "", "help"},
           {"F3", "", "connection graph"},
           {"F11", "", "full screen"},
@@ -148,19 +152,17 @@ void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, 
   }
 }
 
-// On the virtual screen, of a point before the camera.
-glm::vec2 onScreen(const Camera& camera, glm::dvec3 point, glm::vec2 screen) {
-  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
-  return {(clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y};
+// The place on the screen above a player; nothing if its face looks away from the camera, so that the solid hides it.
+std::optional<glm::vec2> placeAbove(const PlayerDrawing& player, const Camera& camera, glm::vec2 screen) {
+  if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return std::nullopt;
+  const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
+  return glm::vec2((clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y);
 }
 
-void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, glm::vec2 screen) {
+void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, glm::vec2 place) {
   if (player.local || player.name.empty()) return;
-  // Players whose face looks away from the camera are hidden by the solid.
-  if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;
-  const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
-  writer.centred(shownNameOf(player), onScreen(camera, above, screen), kSmallestText,
-                 glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+  writer.centred(shownNameOf(player), place, kSmallestText, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
 // The name of a ghost would hide the ball that the player steers.
@@ -172,7 +174,8 @@ bool coversLocalPlayer(const Scene& scene, const PlayerDrawing& ghost) {
 
 void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
   const auto place = [&](const PlayerDrawing& player) {
-    space.addOver(drawn(font, [&](OverlayWriter& writer) { addNameTag(writer, player, camera, space.screen()); }));
+    const std::optional<glm::vec2> above = placeAbove(player, camera, space.screen());
+    if (above) space.addOver(drawn(font, [&](OverlayWriter& writer) { addNameTag(writer, player, *above); }));
   };
   for (const PlayerDrawing& ghost : scene.ghosts) {
     if (!coversLocalPlayer(scene, ghost)) place(ghost);
@@ -180,16 +183,18 @@ void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, co
   for (const PlayerDrawing& player : scene.players) place(player);
 }
 
-// In a long fall the own ball is small, and half of the time behind the solid.
-void placeRing(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
-  constexpr float kSize = 44;
-  if (!scene.longFall || scene.players.empty()) return;
-  const PlayerDrawing& player = scene.players.back();
-  const glm::vec2 place = onScreen(camera, player.pose.position, space.screen());
-  space.addOver(drawn(font, [&](OverlayWriter& writer) {
-    writer.centred("\u25cb", place + glm::vec2(0, kSize * Font::kCapitalHeight / 2), kSize,
-                   glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
-  }));
+// Bubbles with what players say, above their names.
+void placeBubbles(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
+  constexpr float kRise = 34;
+  for (const PlayerDrawing& player : scene.players) {
+    const std::optional<glm::vec2> above =
+        player.says.empty() ? std::nullopt : placeAbove(player, camera, space.screen());
+    if (!above) continue;
+    const glm::vec4 colour(glm::mix(player.colour, Colour(1), 0.5F), 1);
+    space.addOver(drawn(font, [&](OverlayWriter& writer) {
+      writer.pill(player.says, *above - glm::vec2(0, kRise), kTextSize, colour);
+    }));
+  }
 }
 
 // At the border, or nearer to the middle if there is no room.
@@ -267,17 +272,18 @@ void addChat(OverlayWriter& writer, std::span<const std::string> lines, float bo
   }
 }
 
-// At the left, in the middle of the height; the newest lines at the bottom, as many as there is room for.
+// In the lower left corner, or above what stands there; the newest lines at the bottom, as many as there is room for.
 void placeChat(HudSpace& space, const std::vector<std::string>& chat, const Font& font) {
   const float width = std::min(360.0F, space.screen().x * 0.45F);
   std::vector<std::string> lines;
   for (const std::string& said : chat) {
     for (std::string& line : wrapText(said, font, width / kChatSize)) lines.push_back(std::move(line));
   }
-  const float bottom = std::min(space.screen().y * 0.58F, space.startOfFoot() - kGap);
   for (std::size_t first = 0; first < lines.size(); ++first) {
-    const auto draw = [&](OverlayWriter& writer) { addChat(writer, std::span(lines).subspan(first), bottom); };
-    if (space.add(drawn(font, draw))) return;
+    for (const float bottom : {space.screen().y - kMargin, space.startOfFoot() - kGap}) {
+      const auto draw = [&](OverlayWriter& writer) { addChat(writer, std::span(lines).subspan(first), bottom); };
+      if (space.add(drawn(font, draw))) return;
+    }
   }
 }
 
@@ -428,7 +434,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   if (status.assembling) return scaledBy(space.overlay(), status.scale);
   placeSigns(space, scene, camera, font);
   placeNameTags(space, scene, camera, font);
-  placeRing(space, scene, camera, font);
+  placeBubbles(space, scene, camera, font);
   return scaledBy(space.overlay(), status.scale);
 }
 

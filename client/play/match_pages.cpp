@@ -60,6 +60,9 @@ void MatchPages::showSay(LiveMatch& match) {
     choices.emote = [this, &match](std::uint32_t emote) { say(match, {"", emote}); };
     choices.leave = [this] { menu_->close(); };
     choices.said = match.said(interface_->settings());
+    for (std::size_t i = 0; i < choices.emoteKeys.size(); ++i)
+      choices.emoteKeys[i] =
+          interface_->keyHints().of(static_cast<Control>(static_cast<std::size_t>(Control::kEmote1) + i));
     return sayPage(text_, choices);
   });
 }

@@ -48,11 +48,12 @@ class MatchPages {
   void loseGamepad(LiveMatch& match);
   /// Shows the page to say something instead of all other pages. The match exists as long as the page is shown.
   void showSay(LiveMatch& match);
+  /// Closes all pages and says something, or tells the player that it has said too much.
+  void say(LiveMatch& match, const Chat& chat);
 
  private:
   void openPause(LiveMatch& match, const std::string& note);
   MenuPage pauseOver(LiveMatch& match, const std::string& note);
-  void say(LiveMatch& match, const Chat& chat);
 
   Menu* menu_;
   UserInterface* interface_;

@@ -57,6 +57,12 @@ void MatchScreen::perform(Action action) {
     case Action::kSay:
       sayAsked_ = true;
       return;
+    case Action::kEmote1:
+    case Action::kEmote2:
+    case Action::kEmote3:
+    case Action::kEmote4:
+      return pages_.say(match_,
+                        {"", 1 + static_cast<std::uint32_t>(action) - static_cast<std::uint32_t>(Action::kEmote1)});
     default:
       return;
   }

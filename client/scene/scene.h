@@ -59,6 +59,7 @@ struct PlayerDrawing {
   float flash = 0;                           ///< brightness of the flash after an event, 0 … 1
   float opacity = 1;                         ///< below 1: a ghost
   std::optional<std::uint32_t> roundTripMs;  ///< to the server; nothing: not known
+  std::string says;                          ///< in a bubble above the ball; empty: nothing
   std::optional<double> finishSeconds;       ///< shortest time of an attempt to the goal in this round
 };
 

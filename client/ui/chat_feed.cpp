@@ -3,8 +3,8 @@
 namespace platon {
 
 void ChatFeed::add(const std::string& name, const std::string& text, std::uint32_t emote, double seconds) {
-  if (emote > kEmoteNames.size()) return;
-  const std::string said = emote == 0 ? ": " + text : std::string(" ") + kEmoteNames[emote - 1].second;
+  if (emote > kEmoteTexts.size()) return;
+  const std::string said = emote == 0 ? ": " + text : std::string(" ") + kEmoteTexts[emote - 1].told;
   lines_.push_back({name + said, seconds + kSeconds});
   if (lines_.size() > kMaxLines) lines_.pop_front();
 }
@@ -21,6 +21,15 @@ std::vector<std::string> ChatFeed::newest() const {
   std::vector<std::string> texts;
   for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) texts.push_back(line->text);
   return texts;
+}
+
+void EmoteBubbles::add(std::uint32_t slot, std::uint32_t emote, double seconds) {
+  if (emote > 0 && emote <= kEmoteTexts.size()) bubbles_[slot] = {emote, seconds + kSeconds};
+}
+
+std::string EmoteBubbles::of(std::uint32_t slot, double seconds) const {
+  const auto found = bubbles_.find(slot);
+  return found == bubbles_.end() || seconds >= found->second.until ? "" : kEmoteTexts[found->second.emote - 1].shown;
 }
 
 }  // namespace platon

@@ -3,16 +3,23 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace platon {
 
-/// The emotes in the order of their numbers, from 1 on: what the player chooses, and what the others read after the
-/// name.
-inline constexpr std::array<std::pair<const char*, const char*>, 4> kEmoteNames{
-    {{"Wave", "waves"}, {"Laugh", "laughs"}, {"Here!", "calls: here!"}, {"Thanks", "says thanks"}}};
+/// An emote.
+struct EmoteText {
+  const char* chosen;  ///< what the player chooses
+  const char* told;    ///< what the others read after the name
+  const char* shown;   ///< in a bubble at the ball
+};
+/// The emotes in the order of their numbers, from 1 on.
+inline constexpr std::array<EmoteText, 4> kEmoteTexts{{{"Wave", "waves", "Hello!"},
+                                                       {"Laugh", "laughs", "Ha ha!"},
+                                                       {"Here!", "calls: here!", "Here!"},
+                                                       {"Thanks", "says thanks", "Thanks!"}}};
 
 /// What players have said lately, as lines of text.
 class ChatFeed {
@@ -33,6 +40,24 @@ class ChatFeed {
     double until = 0;
   };
   std::deque<Line> lines_;
+};
+
+/// The emotes that players show at their balls.
+class EmoteBubbles {
+ public:
+  static constexpr double kSeconds = 3;  ///< for which one is shown
+
+  /// The player in this slot shows an emote, 1 …, instead of the one before; `seconds`: now, which never decreases.
+  void add(std::uint32_t slot, std::uint32_t emote, double seconds);
+  /// What the ball of this slot says now; empty: nothing.
+  std::string of(std::uint32_t slot, double seconds) const;
+
+ private:
+  struct Bubble {
+    std::uint32_t emote = 0;
+    double until = 0;
+  };
+  std::map<std::uint32_t, Bubble> bubbles_;  // by slot
 };
 
 }  // namespace platon

@@ -39,6 +39,9 @@ CLIENT_FAULTS = [
     at_length("first-finish-is-any", "client/hud/results_panel.cpp", 'run.difference ? "New best time!" : "Level complete!"', '"New best time!"',
               "the first finish of a level is not celebrated as such",
               "ResultsPanel.TheFirstFinishIsCelebratedWithOrWithoutAMedal"),
+    at_length("bubble-for-ever", UI + "chat_feed.cpp", "seconds >= found->second.until", "seconds < 0",
+              "a ball goes on greeting for ever",
+              "EmoteBubbles.EachPlayerShowsItsNewestEmoteForThreeSeconds"),
     # The hints for new players.
     at_length("unseen-hint-read", UI + "hints/element_hints.cpp",
               "  if (!shown || ++ticks_ < kElementReadTicks || !isDue()) return;\n",
@@ -401,7 +404,7 @@ CLIENT_FAULTS = [
               "the list of players begins with the slowest one",
               "Hud.FinishedPlayersComeFirstByTheirTime"),
     at_length("names-seen-through-the-solid", "client/hud/hud.cpp",
-              "  if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;\n", "",
+              "  if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return std::nullopt;\n", "",
               "names of players behind the solid are drawn",
               "Hud.OnlyVisibleOtherPlayersHaveNameTags"),
     at_length("sign-of-what-is-seen", "client/hud/hud.cpp",

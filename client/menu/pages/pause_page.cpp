@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "client/ui/chat_feed.h"
-
 namespace platon {
 
 MenuPage pausePage(const PauseChoices& choices) {
@@ -29,8 +27,10 @@ MenuPage sayPage(TextField& text, const SayChoices& choices) {
   field.choose = choices.say;
   page.items.push_back(std::move(field));
   page.items.push_back({.name = "Send", .choose = choices.say});
-  for (std::uint32_t i = 0; i < kEmoteNames.size(); ++i) {
-    page.items.push_back({.name = kEmoteNames[i].first, .choose = [emote = choices.emote, i] { emote(i + 1); }});
+  for (std::uint32_t i = 0; i < kEmoteTexts.size(); ++i) {
+    page.items.push_back({.name = kEmoteTexts[i].chosen,
+                          .value = choices.emoteKeys[i],
+                          .choose = [emote = choices.emote, i] { emote(i + 1); }});
   }
   page.back = choices.leave;
   return page;

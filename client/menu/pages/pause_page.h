@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "client/menu/menu_page.h"
 #include "client/menu/text_field.h"
+#include "client/ui/chat_feed.h"
 
 namespace platon {
 
@@ -35,6 +37,7 @@ struct SayChoices {
   std::function<void(std::uint32_t)> emote{};  ///< the number of an emote, from 1 on
   std::function<void()> leave{};               ///< without a word
   std::vector<std::string> said{};             ///< what players have said lately, newest first: long notes are cut
+  std::array<std::string, kEmoteTexts.size()> emoteKeys{};  ///< that say the emotes, too
 };
 
 /// The page on which the player says a text or an emote to the others. `text` outlives the page.

@@ -191,6 +191,7 @@ void LiveMatch::noteChats() {
     const std::span<const std::string> names = client_.session()->names();
     const std::string name = said.slot < names.size() ? names[said.slot] : std::string();
     chat_.add(calledName(name, std::to_string(said.slot + 1)), said.chat.text, said.chat.emote, toSeconds(now()));
+    bubbles_.add(said.slot, said.chat.emote, toSeconds(now()));
   }
 }
 
@@ -239,6 +240,8 @@ std::optional<Scene> LiveMatch::scene(const Settings& settings) {
   lastScene_.reset();
   if (const Session* const session = client_.session())
     lastScene_ = sceneFeed_.scene(*session, now(), {!waits(), settings.ball, ghosts(settings)});
+  if (!lastScene_ || !settings.chat) return lastScene_;
+  for (PlayerDrawing& player : lastScene_->players) player.says = bubbles_.of(player.slot, toSeconds(now()));
   return lastScene_;
 }
 

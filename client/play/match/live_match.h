@@ -220,6 +220,7 @@ class LiveMatch {
   SceneFeed sceneFeed_;
   std::optional<Scene> lastScene_;
   ChatFeed chat_;
+  EmoteBubbles bubbles_;
   Notice notice_;  // the newest one
   ServerLines lines_;
   DesyncFolder desyncFolder_;

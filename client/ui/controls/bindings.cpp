@@ -25,7 +25,11 @@ constexpr std::array<ControlName, kControlCount> kControlNames{{{"left", "Run le
                                                                 {"vote", "Next level, or vote"},
                                                                 {"look", "Look round"},
                                                                 {"watch", "Watch another player"},
-                                                                {"say", "Talk to all players"}}};
+                                                                {"say", "Talk to all players"},
+                                                                {"wave", "Wave"},
+                                                                {"laugh", "Laugh"},
+                                                                {"here", "Call: here!"},
+                                                                {"thanks", "Say thanks"}}};
 
 bool has(const ControlKeys& keys, Key key) { return keys.first == key || keys.second == key || keys.pad == key; }
 
@@ -53,7 +57,11 @@ Bindings::Bindings()
              {Key::kV, {}, Key::kPadY},
              {Key::kTab, {}, {}},  // the right stick looks round
              {Key::kE, {}, Key::kPadRightBumper},
-             {Key::kT, {}, Key::kPadX}}} {}
+             {Key::kT, {}, Key::kPadX},
+             {Key::kDigit1, {}, {}},
+             {Key::kDigit2, {}, {}},
+             {Key::kDigit3, {}, {}},
+             {Key::kDigit4, {}, {}}}} {}
 
 std::optional<Control> Bindings::controlOf(Key key) const {
   for (std::size_t i = 0; i < kControlCount; ++i) {

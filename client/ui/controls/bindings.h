@@ -25,9 +25,13 @@ enum class Control : std::uint8_t {
   kVote,
   kLook,
   kWatch,
-  kSay
+  kSay,
+  kEmote1,  ///< the emotes are in the order of their numbers
+  kEmote2,
+  kEmote3,
+  kEmote4
 };
-inline constexpr std::size_t kControlCount = static_cast<std::size_t>(Control::kSay) + 1;
+inline constexpr std::size_t kControlCount = static_cast<std::size_t>(Control::kEmote4) + 1;
 
 /// What the control does, for the player.
 std::string_view nameOf(Control control);

@@ -18,6 +18,14 @@ std::optional<Action> actionOf(Control control) {
       return Action::kWatchNext;
     case Control::kSay:
       return Action::kSay;
+    case Control::kEmote1:
+      return Action::kEmote1;
+    case Control::kEmote2:
+      return Action::kEmote2;
+    case Control::kEmote3:
+      return Action::kEmote3;
+    case Control::kEmote4:
+      return Action::kEmote4;
     default:
       return std::nullopt;
   }

@@ -38,6 +38,10 @@ enum class Action : std::uint8_t {
   kGoOn,
   kWatchNext,
   kSay,
+  kEmote1,  ///< the emotes are in the order of their numbers
+  kEmote2,
+  kEmote3,
+  kEmote4,
   kTakePicture
 };
 

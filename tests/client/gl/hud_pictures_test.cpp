@@ -114,6 +114,7 @@ TEST_F(HudPicturesTest, VoteChatAndNotice) {
   status_.vote = VoteStatus{1, 4, true};
   status_.chat = {"Ann: wait for me", "Лев: I stand on the plate, run through the door as soon as it opens", "Zoë: ♥"};
   status_.notice = "The server restarts at noon";
+  scene_.players[2].says = "Hello!";
   expectHud("vote_and_chat");
 }
 

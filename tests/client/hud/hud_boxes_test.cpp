@@ -76,10 +76,12 @@ void scatter(Scene& scene) {
 
 // The keys with the longest names, two for each control.
 Bindings longKeys() {
-  constexpr std::array kKeys{Key::kKeypad0,   Key::kKeypad1, Key::kKeypad2, Key::kKeypad3, Key::kKeypad4, Key::kKeypad5,
-                             Key::kKeypad6,   Key::kKeypad7, Key::kKeypad8, Key::kKeypad9, Key::kPageUp,  Key::kInsert,
-                             Key::kBackslash, Key::kSpace,   Key::kControl, Key::kShift,   Key::kEnter,   Key::kDelete,
-                             Key::kHome,      Key::kEnd,     Key::kTab,     Key::kPageDown};
+  constexpr std::array kKeys{Key::kKeypad0, Key::kKeypad1,  Key::kKeypad2,   Key::kKeypad3,   Key::kKeypad4,
+                             Key::kKeypad5, Key::kKeypad6,  Key::kKeypad7,   Key::kKeypad8,   Key::kKeypad9,
+                             Key::kPageUp,  Key::kInsert,   Key::kBackslash, Key::kSpace,     Key::kControl,
+                             Key::kShift,   Key::kEnter,    Key::kDelete,    Key::kHome,      Key::kEnd,
+                             Key::kTab,     Key::kPageDown, Key::kArrowUp,   Key::kArrowDown, Key::kF10,
+                             Key::kF12,     Key::kComma,    Key::kPeriod,    Key::kF2,        Key::kF4};
   static_assert(kKeys.size() == 2 * kControlCount);
   Bindings bindings;
   for (std::size_t i = 0; i < kKeys.size(); ++i) bindings.bind(static_cast<Control>(i / 2), kKeys[i]);

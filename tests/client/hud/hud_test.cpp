@@ -386,6 +386,18 @@ TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
   }
 }
 
+TEST(Hud, WhatAVisibleBallSaysIsInABubbleAboveItsName) {
+  Scene scene = sceneOf(3);
+  scene.players[0].says = "Hello!";
+  scene.players[2].says = "Here!";
+  scene.players[2].pose.normal = -scene.players[2].pose.normal;
+  const Overlay hud = hudOf(scene);
+  ASSERT_TRUE(find(hud, "Hello!"));
+  EXPECT_FALSE(find(hud, "Here!")) << "behind the solid";
+  scene.players[0].local = true;
+  EXPECT_TRUE(find(hudOf(scene), "Hello!")) << "the player sees its own";
+}
+
 TEST(Hud, WhileTheSolidIsAssembledNothingPointsToPlacesOnIt) {
   const Scene scene = sceneOf(2);
   const Overlay whole = hudOf(scene);

@@ -42,5 +42,25 @@ TEST(ChatFeed, AnUnknownEmoteIsLeftOut) {
   EXPECT_TRUE(feed.lines(0).empty());
 }
 
+TEST(EmoteBubbles, EachPlayerShowsItsNewestEmoteForThreeSeconds) {
+  EmoteBubbles bubbles;
+  EXPECT_EQ(bubbles.of(0, 0), "");
+  bubbles.add(0, 1, 10);
+  bubbles.add(7, 4, 11);
+  EXPECT_EQ(bubbles.of(0, 12.9), "Hello!");
+  EXPECT_EQ(bubbles.of(7, 13.9), "Thanks!");
+  EXPECT_EQ(bubbles.of(0, 13), "");
+  bubbles.add(0, 1, 20);
+  bubbles.add(0, 2, 21);
+  EXPECT_EQ(bubbles.of(0, 23.9), "Ha ha!");
+}
+
+TEST(EmoteBubbles, ATextAndAnUnknownEmoteShowNone) {
+  EmoteBubbles bubbles;
+  bubbles.add(0, 0, 0);
+  bubbles.add(0, 5, 0);
+  EXPECT_EQ(bubbles.of(0, 0), "");
+}
+
 }  // namespace
 }  // namespace platon::chat_feed_test

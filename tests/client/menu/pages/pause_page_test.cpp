@@ -47,7 +47,7 @@ TEST(PausePage, WithOthersThePlayerCanSaySomethingWithoutAKeyboard) {
   EXPECT_TRUE(says);
 }
 
-static_assert(kEmoteNames.size() == kEmotes);
+static_assert(kEmoteTexts.size() == kEmotes);
 
 TEST(SayPage, EachItemCallsItsOwn) {
   std::string called;
@@ -61,6 +61,15 @@ TEST(SayPage, EachItemCallsItsOwn) {
   }
   page.back();
   EXPECT_EQ(called, "say say 1 2 3 4 leave");
+}
+
+TEST(SayPage, TellsTheKeysThatSayTheEmotesWithoutThePage) {
+  TextField text(kMaxChatBytes);
+  SayChoices choices;
+  choices.emoteKeys = {"1", "2", "3", "no key"};
+  const MenuPage page = sayPage(text, choices);
+  EXPECT_EQ(page.items[2].name + " " + page.items[2].value, "Wave 1");
+  EXPECT_EQ(page.items[5].name + " " + page.items[5].value, "Thanks no key");
 }
 
 TEST(SayPage, ShowsWhatWasSaidWhileThePlayerAnswers) {

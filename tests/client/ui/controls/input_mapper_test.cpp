@@ -238,6 +238,15 @@ TEST(InputMapper, EWatchesAnotherPlayerInTheGameOnly) {
   EXPECT_EQ(InputMapper().handle({Key::kE}, true), std::nullopt);
 }
 
+TEST(InputMapper, EachEmoteHasAKeyInTheGame) {
+  constexpr std::array kDigits{Key::kDigit1, Key::kDigit2, Key::kDigit3, Key::kDigit4};
+  constexpr std::array kActions{Action::kEmote1, Action::kEmote2, Action::kEmote3, Action::kEmote4};
+  for (std::size_t i = 0; i < kDigits.size(); ++i) {
+    EXPECT_EQ(InputMapper().handle({kDigits[i]}, false), kActions[i]);
+    EXPECT_EQ(InputMapper().handle({kDigits[i]}, true), std::nullopt);
+  }
+}
+
 TEST(InputMapper, TTalksInTheGameOnly) {
   EXPECT_EQ(InputMapper().handle({Key::kT}, false), Action::kSay);
   EXPECT_EQ(InputMapper().handle({Key::kT}, true), std::nullopt);
