@@ -37,6 +37,7 @@ class Editor {
   /// Whether the user has left. With unsaved changes, they are to be dropped.
   bool leaving() const { return menu_.leaving(); }
   bool fullscreen() const { return fullscreen_; }
+  void setFullscreen(bool fullscreen) { fullscreen_ = fullscreen; }
 
   const EditedLevel& level() const { return level_; }
   void markSaved();

@@ -42,6 +42,8 @@ std::filesystem::path runsFolder() { return inData("runs"); }
 
 std::filesystem::path ghostsFolder() { return inData("ghosts"); }
 
+std::filesystem::path ownLevelsFolder() { return inData("levels"); }
+
 std::filesystem::path stateFolder() { return folder("XDG_STATE_HOME", ".local/state"); }
 
 std::filesystem::path picturesFolder() {

@@ -21,6 +21,8 @@ std::filesystem::path reachedLevelsFile();
 /// The local player's best runs, and those of others that are shown as ghosts, in the data folder. Empty without it.
 std::filesystem::path runsFolder();
 std::filesystem::path ghostsFolder();
+/// The levels that the user has made in the game.
+std::filesystem::path ownLevelsFolder();
 
 /// `platon` in XDG_STATE_HOME, by default in ~/.local/state: recent servers. Empty without a home folder.
 std::filesystem::path stateFolder();

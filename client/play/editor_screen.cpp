@@ -79,6 +79,7 @@ EditorScreen::EditorScreen(EditSession& session, Window& window, const Settings&
       picture_(settings),
       screenshot_(std::move(screenshot)) {
   picture_.setQuality(settings.quality.quality());
+  session.editor().setFullscreen(settings.fullscreen);
   fit();
 }
 
@@ -120,6 +121,7 @@ void EditorScreen::draw(const Frame& /*frame*/) {
 }
 
 void EditorScreen::leave() {
+  window_->setTitle(kWindowTitle);
   if (screenshot_.empty()) return;
   picture_.draw(editor());
   writeScreenshot(picture_.read(), screenshot_);

@@ -70,6 +70,7 @@ class EditorScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
   Time frameTime() const override { return frameTimeOf(!window_->focused(), settings_.frameCap); }
+  Image read() const override { return picture_.read(); }
   void leave() override;
 
   const Editor& editor() const { return session_->editor(); }

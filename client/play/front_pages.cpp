@@ -15,6 +15,7 @@
 #include "client/replay/replay.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
+#include "protocol/label.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
 
@@ -57,6 +58,16 @@ std::string writeRacedLevel(const Level& level, const std::filesystem::path& fil
 JoinForm::Found rowOf(const std::string& name, const std::string& address, const std::string& about) {
   return name.empty() ? JoinForm::Found{address, address, about}
                       : JoinForm::Found{name, address, address + ", " + about};
+}
+
+// None if the folder cannot be read; in alphabetical order.
+std::vector<std::string> levelNamesIn(const std::filesystem::path& folder) {
+  const auto isLevel = [](const std::filesystem::path& path) { return path.extension() == ".level"; };
+  std::vector<std::string> names;
+  for (const DatedFile& file : newestFiles(folder, Subfolders::kWithout, isLevel))
+    names.push_back(file.path.filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 // New servers come last, so that none moves from under the focus.
@@ -186,8 +197,10 @@ void JoinPage::join() {
   start_(choice);
 }
 
-FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl)
+FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, Given given)
     : menu_(&menu),
+      settings_(&settings),
+      givenName_(std::move(given.name)),
       settingsPages_(menu, settings),
       calls_(std::move(calls)),
       replays_(menu, runsFolder(), ghostsFolder(),
@@ -196,7 +209,9 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
                   return race(level, file);
                 },
                 [this](const std::shared_ptr<const Level>& level) { return entryOf(level).medals; }}),
-      joinPage_(menu, settings, std::move(recent), std::move(listUrl), calls_.start, calls_.startThread) {}
+      joinPage_(menu, settings, std::move(recent), std::move(given.listUrl), calls_.start, calls_.startThread) {
+  name_.setText(settings.name);
+}
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = calls_.loadLevels();
@@ -235,9 +250,20 @@ MenuPage FrontPages::titlePage() {
                 {.name = "Join a server", .choose = [this] { showJoin(); }},
                 {.name = "Host a game", .choose = [this] { showHost(); }},
                 {.name = "Replays", .choose = [this] { replays_.showList(); }},
+                {.name = "Level editor", .choose = [this] { pushEditor(); }},
+                nameItem(),
                 {.name = "Settings", .choose = [this] { settingsPages_.show(MenuPage::Place::kLeft); }},
                 {.name = "Quit", .choose = calls_.quit}};
   return page;
+}
+
+// A name that is no label changes nothing.
+MenuItem FrontPages::nameItem() {
+  if (!givenName_.empty()) return {.name = "Your name", .value = givenName_, .choose = [] {}};
+  if (isLabel(name_.text(), kMaxNameBytes)) settings_->name = visibleLabel(name_.text());
+  MenuItem item{MenuItem::Kind::kText, "Your name"};
+  item.field = &name_;
+  return item;
 }
 
 // The first level for one player whose goal the player has not reached yet; else the first one.
@@ -348,6 +374,39 @@ void FrontPages::refuseHost(const std::string& reason) {
   showHost();
   hostForm_.fault = reason;
   menu_->setFocus(kHostPortItem);
+}
+
+void FrontPages::showEditor(const std::string& fault) {
+  if (!showTitle()) return;
+  pushEditor();
+  editForm_.fault = fault;
+}
+
+// The list is read when the page is opened: who makes a level comes back to a new one.
+void FrontPages::pushEditor() {
+  const std::filesystem::path folder = ownLevelsFolder();
+  editForm_.fault = folder.empty() ? "There is no folder for levels; set HOME or XDG_DATA_HOME." : "";
+  editForm_.folder = folder.string();
+  editForm_.files = levelNamesIn(folder);
+  menu_->push([this] {
+    beside_ = [] { return std::nullopt; };
+    return editorPage(
+        editForm_, [this] { createLevel(); },
+        [this](const std::string& file) { calls_.edit(ownLevelsFolder() / file, editForm_.solid); });
+  });
+}
+
+void FrontPages::createLevel() {
+  const std::filesystem::path folder = ownLevelsFolder();
+  if (folder.empty()) return;
+  const std::string file = levelFileNameOf(editForm_.name.text());
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  editForm_.fault = file.empty()                             ? "Enter a name for the level, with letters or digits."
+                    : fault                                  ? folder.string() + " cannot be made: " + fault.message()
+                    : std::filesystem::exists(folder / file) ? "There is a level of this name: choose it below."
+                                                             : "";
+  if (editForm_.fault.empty()) calls_.edit(folder / file, editForm_.solid);
 }
 
 void FrontPages::showJoin() {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/lobby/listed_servers.h"
@@ -12,12 +13,15 @@
 #include "client/lobby/remembered.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/menu/menu.h"
+#include "client/menu/pages/editor_page.h"
 #include "client/menu/pages/levels_page.h"
 #include "client/menu/pages/settings_pages.h"
 #include "client/menu/pages/several_players_page.h"
+#include "client/menu/text_field.h"
 #include "client/play/match/live_match.h"
 #include "client/play/replay_pages.h"
 #include "client/ui/settings.h"
+#include "protocol/limits.h"
 
 namespace platon {
 
@@ -26,8 +30,8 @@ class JoinPage {
  public:
   using Start = std::function<void(const MatchChoice&)>;
 
-  /// `menu` and `settings` outlive the page. `listUrl`: as for FrontPages. `start` joins what the player has chosen,
-  /// `startThread` reads lists.
+  /// `menu` and `settings` outlive the page. `listUrl`: as FrontPages::Given has it. `start` joins what the player has
+  /// chosen, `startThread` reads lists.
   JoinPage(Menu& menu, Settings& settings, RecentServers recent, std::string listUrl, Start start,
            ThreadStart startThread);
 
@@ -68,14 +72,23 @@ class FrontPages {
     std::function<void(const MatchChoice&)> start;  ///< what the player has chosen
     std::function<void()> quit;
     std::function<void(const std::filesystem::path&)> watch{};  ///< a recording
+    /// A level file; `solid`: of a new one.
+    std::function<void(const std::filesystem::path& file, SolidKind solid)> edit{};
     /// The levels of the game; throws ProgramError if they cannot be read.
     std::function<std::vector<ShippedLevel>()> loadLevels = loadShippedLevels;
     ThreadStart startThread = &platon::startThread;  ///< for the reading of a list of servers
   };
 
-  /// `menu` and `settings` outlive the pages. `listUrl`: a list of servers on a web server, instead of that of the
-  /// settings, which the player may change; empty: none.
-  FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl = {});
+  /// What takes the place of settings, which the player may change otherwise; empty: nothing.
+  struct Given {
+    std::string listUrl{};  ///< a list of servers on a web server
+    std::string name{};     ///< of the player
+  };
+
+  /// `menu` and `settings` outlive the pages.
+  FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, Given given);
+  FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls)
+      : FrontPages(menu, settings, std::move(recent), std::move(calls), Given()) {}
 
   /// Shows the title and nothing else. If the levels of the game cannot be read, shows why instead and returns false.
   bool showTitle();
@@ -92,17 +105,23 @@ class FrontPages {
   LevelEntry entryOf(const std::shared_ptr<const Level>& level) const;
   /// The medals of a level, also before the title was shown; reads files.
   std::optional<MedalTimes> medalsOf(const std::shared_ptr<const Level>& level);
+  /// Shows the title, and above it the page that leads to the editor, with the reason why a level cannot be edited;
+  /// empty: it can.
+  void showEditor(const std::string& fault = {});
   /// Shows the title and, if there is one, above it the page of a recording.
   void showRun(const std::filesystem::path& file);
 
  private:
   MenuPage titlePage();
+  MenuItem nameItem();
   MenuPage failedTitle(const std::string& reason);
   void showLevels();
   void choose(std::size_t level);
   void showSeveralPlayers(std::size_t level);
   void hostLevel(std::size_t level);
   void showHost();
+  void pushEditor();
+  void createLevel();
   void showJoin();
   void playFrom(std::size_t level);
   std::string race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
@@ -115,6 +134,9 @@ class FrontPages {
   std::vector<std::string> filesFrom(std::size_t level) const;
 
   Menu* menu_;
+  Settings* settings_;
+  std::string givenName_;
+  TextField name_{kMaxNameBytes};
   SettingsPages settingsPages_;
   Calls calls_;
   std::vector<ShippedLevel> levels_;
@@ -124,6 +146,7 @@ class FrontPages {
   ReplayPages replays_;
   JoinPage joinPage_;
   HostForm hostForm_;
+  EditForm editForm_;
 };
 
 }  // namespace platon

@@ -29,6 +29,7 @@ class MatchScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
   Time frameTime() const override { return desk_->frameTime(desk_->menu.isOpen()); }
+  Image read() const override { return desk_->view.read(); }
   /// The game goes on, and comes to the front when somebody joins.
   bool updateBehind(const Frame& frame) override;
   Next reveal(const Ending& ending) override;

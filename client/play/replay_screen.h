@@ -86,6 +86,7 @@ class ReplayScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
   Time frameTime() const override { return desk_->frameTime(false); }
+  Image read() const override { return desk_->view.read(); }
 
   /// Null while the file is being read.
   const ReplayViewer* viewer() const { return play_.viewer(); }

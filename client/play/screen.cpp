@@ -60,7 +60,7 @@ Time frameTimeOf(bool calm, double frameCap) {
 
 DesktopWindow openWindow(const std::string& otherwise) {
   try {
-    return {"Platon", static_cast<int>(kPictureWidth), static_cast<int>(kPictureHeight)};
+    return {kWindowTitle, static_cast<int>(kPictureWidth), static_cast<int>(kPictureHeight)};
   } catch (const NoOpenGl& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   } catch (const std::runtime_error& error) {

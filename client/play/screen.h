@@ -68,6 +68,8 @@ class Screen {
   virtual void draw(const Frame& frame) = 0;
   /// Least time from one frame to the next.
   virtual Time frameTime() const = 0;
+  /// What it has drawn last.
+  virtual Image read() const = 0;
 
   /// Takes the place of `update` while other screens are in front of it. Returns whether it has to come to the front.
   virtual bool updateBehind(const Frame& /*frame*/) { return false; }
@@ -89,6 +91,8 @@ class ScreenStack {
   void update(const Frame& frame);
   void draw(const Frame& frame);
   Time frameTime() const { return isOpen() ? screens_.back()->frameTime() : Time(); }
+  /// Of the screen in front; empty if there is none.
+  Image read() const { return isOpen() ? screens_.back()->read() : Image(); }
   /// Closes all screens, from the front to the back.
   void close();
 
@@ -122,6 +126,9 @@ inline constexpr Time kCalmFrameTime = std::chrono::microseconds(33'333);
 /// Least time from one picture to the next: kCalmFrameTime in a `calm` window, else that of `frameCap` pictures a
 /// second (Settings::frameCap), but at least kMinFrameTime.
 Time frameTimeOf(bool calm, double frameCap);
+
+/// In the title bar, unless the screen shows a file.
+inline constexpr const char* kWindowTitle = "Platon";
 
 /// Opens the window of the program. Throws ProgramError if there is none. Without a display its text ends with
 /// `otherwise`, which says what can be done without a window.

@@ -57,8 +57,9 @@ TitleScreen::TitleScreen(GameDesk& desk)
     : desk_(&desk),
       front_(desk.menu, desk.settings(), desk.recentServers,
              {[this](const MatchChoice& choice) { start(choice); }, [this] { next_ = Quit(); },
-              [this](const std::filesystem::path& file) { watch(file); }},
-             desk.options.listUrl) {
+              [this](const std::filesystem::path& file) { watch(file); },
+              [this](const std::filesystem::path& file, SolidKind solid) { edit(file, solid); }},
+             {desk.options.listUrl, desk.options.name}) {
   if (!desk.options.replay.empty()) {
     watch(desk.options.replay);
   } else if (desk.named.pending) {
@@ -95,6 +96,9 @@ Next TitleScreen::reveal(const Ending& ending) {
     refuse(*refused);
   } else if (const auto* const end = std::get_if<ReplayEnd>(&ending)) {
     stopWatching(*end);
+  } else if (session_) {
+    session_.reset();
+    front_.showEditor();
   } else {
     leaveMatch();
   }
@@ -103,6 +107,7 @@ Next TitleScreen::reveal(const Ending& ending) {
 
 void TitleScreen::start(const MatchChoice& choice) {
   choice_ = choice;
+  choice_.name = desk_->settings().name;
   try {
     next_ = Push{std::make_unique<MatchScreen>(*desk_, choice_, medals())};
     desk_->menu.close();
@@ -141,6 +146,16 @@ MedalsOf TitleScreen::medals() {
 void TitleScreen::watch(const std::filesystem::path& file) {
   next_ = Push{std::make_unique<ReplayScreen>(*desk_, file, medals(), ReplayScreen::Behind::kTitle)};
   desk_->menu.close();
+}
+
+void TitleScreen::edit(const std::filesystem::path& file, SolidKind solid) {
+  try {
+    session_.emplace(file.string(), solid);
+    next_ = Push{std::make_unique<EditorScreen>(*session_, desk_->window, desk_->settings(), "")};
+    desk_->menu.close();
+  } catch (const ProgramError& error) {
+    front_.showEditor(error.what());
+  }
 }
 
 void TitleScreen::stopWatching(const ReplayEnd& end) {

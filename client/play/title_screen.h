@@ -7,6 +7,7 @@
 
 #include "client/demo/stroll.h"
 #include "client/menu/pages/levels_page.h"
+#include "client/play/editor_screen.h"
 #include "client/play/front_pages.h"
 #include "client/play/game_desk.h"
 #include "client/play/offscreen/local_game.h"
@@ -46,6 +47,7 @@ class TitleScreen : public Screen {
   Next update(const Frame& frame) override;
   void draw(const Frame& frame) override;
   Time frameTime() const override { return desk_->frameTime(true); }
+  Image read() const override { return desk_->view.read(); }
   Next reveal(const Ending& ending) override;
   void leave() override { desk_->finish(); }
 
@@ -56,6 +58,7 @@ class TitleScreen : public Screen {
   void leaveMatch();
   void watch(const std::filesystem::path& file);
   void stopWatching(const ReplayEnd& end);
+  void edit(const std::filesystem::path& file, SolidKind solid);
   MedalsOf medals();
   void drawMenu(const Frame& frame);
 
@@ -63,7 +66,8 @@ class TitleScreen : public Screen {
   FrontPages front_;
   TitleGame game_;
   Turntable turntable_;
-  MatchChoice choice_;  // the last one
+  MatchChoice choice_;                  // the last one
+  std::optional<EditSession> session_;  // of the editor in front of the title; nothing: there is none
   Next next_;
 };
 

@@ -7,6 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "protocol/label.h"
+#include "protocol/limits.h"
+
 namespace platon {
 namespace {
 
@@ -74,6 +77,9 @@ constexpr SettingWords noneOrOneOf(std::span<const SettingWord> words) {
           },
           words, ", "};
 }
+
+static_assert(kMaxNameBytes == 32, "the form of a name says so");
+bool isName(std::string_view text) { return !text.empty() && isLabel(text, kMaxNameBytes); }
 
 constexpr SettingNumber volume(SettingMember<double> member) { return {member, 0, 100, 5, 1}; }
 
@@ -276,7 +282,14 @@ constexpr std::array kSettings{
     Setting{.name = "first-keys", .line = 21, .value = SettingFlag{member<&S::firstKeys>()}, .group = Group::kHidden},
     Setting{.name = "first-down", .line = 31, .value = SettingFlag{member<&S::firstDown>()}, .group = Group::kHidden},
     Setting{.name = "first-look", .line = 32, .value = SettingFlag{member<&S::firstLook>()}, .group = Group::kHidden},
-    Setting{.name = "list-url", .line = 23, .value = member<&S::listUrl>(), .group = Group::kHidden}};
+    Setting{.name = "name",
+            .line = 33,
+            .value = SettingText{member<&S::name>(), &isName, "a text of at most 32 bytes without control characters"},
+            .group = Group::kHidden},
+    Setting{.name = "list-url",
+            .line = 23,
+            .value = SettingText{member<&S::listUrl>(), &isListUrl, kListUrlForm},
+            .group = Group::kHidden}};
 
 // The rows in the order of the file. Does not compile if two have the same line, or one is out of the file.
 constexpr std::array<const Setting*, kSettings.size()> kLines = [] {
@@ -335,7 +348,7 @@ struct AllowedValues {
   std::string operator()(SettingMember<UntoldElements>) const {
     return "none, or words of elements separated by commas";
   }
-  std::string operator()(SettingMember<std::string>) const { return std::string("none, or ") + kListUrlForm; }
+  std::string operator()(const SettingText& text) const { return std::string("none, or ") + text.form; }
 };
 
 struct SettingReader {
@@ -362,9 +375,9 @@ struct SettingReader {
   }
   bool operator()(QualityPart part) const { return parse(text, part, settings.quality); }
   bool operator()(SettingMember<UntoldElements> untold) const { return parse(text, untold.in(settings)); }
-  bool operator()(SettingMember<std::string> url) const {
-    if (text != kNone && !isListUrl(text)) return false;
-    url.in(settings) = text == kNone ? "" : text;
+  bool operator()(const SettingText& setting) const {
+    if (text != kNone && !setting.isValid(text)) return false;
+    setting.member.in(settings) = text == kNone ? "" : text;
     return true;
   }
 };
@@ -381,8 +394,9 @@ struct SettingWriter {
   }
   Text operator()(QualityPart part) const { return platon::textOf(part, settings.quality); }
   Text operator()(SettingMember<UntoldElements> untold) const { return platon::textOf(untold.of(settings)); }
-  Text operator()(SettingMember<std::string> url) const {
-    return url.of(settings).empty() ? std::string(kNone) : url.of(settings);
+  Text operator()(const SettingText& setting) const {
+    const std::string& text = setting.member.of(settings);
+    return text.empty() ? std::string(kNone) : text;
   }
 };
 

@@ -55,6 +55,14 @@ struct SettingWords {
   std::string_view lastComma = " or ";  ///< before the last word in a sentence that lists them
 };
 
+/// A text, which a page of the menu asks for, but not that of the settings. In the file, "none" stands for an empty
+/// one, and spaces in a row for one.
+struct SettingText {
+  SettingMember<std::string> member;
+  bool (*isValid)(std::string_view text);  ///< of a text that is not empty
+  const char* form;                        ///< what is valid, as it follows "none, or"
+};
+
 /// The parts of the menu, in their order. The menu does not show settings of kHidden.
 enum class SettingGroup : std::uint8_t { kPicture, kSound, kComfort, kControls, kGame, kHidden };
 
@@ -62,9 +70,7 @@ enum class SettingGroup : std::uint8_t { kPicture, kSound, kComfort, kControls, 
 struct Setting {
   std::string_view name;  ///< in the settings file
   std::size_t line;       ///< its place in the settings file, from 0: each row has another
-  std::variant<SettingFlag, SettingNumber, SettingWords, QualityPart, SettingMember<UntoldElements>,
-               SettingMember<std::string>>
-      value;
+  std::variant<SettingFlag, SettingNumber, SettingWords, QualityPart, SettingMember<UntoldElements>, SettingText> value;
   SettingGroup group;
   const char* label = "";  ///< of the menu item; of kHidden: none
   const char* about = "";  ///< what it does, as MenuItem::about

@@ -19,6 +19,12 @@ bool isReadable(std::string_view word) {
 
 using Words = std::vector<std::string>;
 
+std::string joined(std::span<const std::string> words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 // What is wrong with the line of a setting; nothing if the line names no setting.
 std::optional<std::string> faultOf(const Words& words, Settings& settings, BindingsReader& bindings) {
   const std::span<const std::string> values = std::span(words).subspan(1);
@@ -29,7 +35,7 @@ std::optional<std::string> faultOf(const Words& words, Settings& settings, Bindi
   }
   for (const Setting& setting : settingTable()) {
     if (setting.name != words[0]) continue;
-    const bool valid = values.size() == 1 && readSetting(setting, values[0], settings);
+    const bool valid = !values.empty() && readSetting(setting, joined(values), settings);
     return valid ? "" : words[0] + " must be " + allowedValues(setting);
   }
   return std::nullopt;

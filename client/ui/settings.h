@@ -47,6 +47,7 @@ struct Settings {
   bool flashes = true;        ///< players and goal flash
   bool highContrast = false;  ///< black ground, white walls and opaque panels
   bool faceNumbers = false;   ///< faces show their numbers instead of signs
+  std::string name;           ///< of the player, a label of at most kMaxNameBytes; empty: the server chooses one
   std::string listUrl;        ///< isListUrl, or empty: no list
 
   /// The settings as lines `name value…`, the format of `parseSettings`.

@@ -160,7 +160,7 @@ struct ItemMaker {
   }
   Items operator()(SettingMember<UntoldElements>) const { return {hintsItem(label, settings)}; }
   // A text is entered on a page of its own.
-  Items operator()(SettingMember<std::string>) const { return {}; }
+  Items operator()(const SettingText&) const { return {}; }
 };
 
 }  // namespace

@@ -128,7 +128,9 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
       demo_(options.demo),
       runs_(runKeeper(options, choice)),
       client_(memory_.server(),
-              {options.name, memory_.knowledge(), std::nullopt, memory_.token(), levelStore(choice), runs_}, now()),
+              {options.name.empty() ? choice.name : options.name, memory_.knowledge(), std::nullopt, memory_.token(),
+               levelStore(choice), runs_},
+              now()),
       reached_(reachedFileOf(options)),
       lines_(now()),
       desyncFolder_(desyncFolder()) {}

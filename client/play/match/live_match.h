@@ -41,6 +41,7 @@ struct MatchChoice {
   Password password{};                    ///< of that server
   std::optional<CryptoKey> key{};         ///< of that server, from a list; nothing: the one that the client remembers
   EmbeddedSettings own{};                 ///< of the server in this program
+  std::string name{};                     ///< of the player, unless the options name one; empty: the server chooses it
   std::filesystem::path rival{};          ///< a recording that runs as a ghost, whatever the settings; empty: none
 };
 

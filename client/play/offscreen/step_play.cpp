@@ -221,7 +221,7 @@ void StepPlay::shoot(Words& words) {
   screens_.draw({now_, 0});
   desk_.view.setPainted(false);
   try {
-    writePng(desk_.view.read(), file);
+    writePng(screens_.read(), file);
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(error.what());
   }

@@ -30,6 +30,7 @@ TEST_F(UserFoldersTest, AreEmptyWithoutAHomeFolder) {
   EXPECT_EQ(bestTimesFile(), "");
   EXPECT_EQ(runsFolder(), "");
   EXPECT_EQ(ghostsFolder(), "");
+  EXPECT_EQ(ownLevelsFolder(), "");
   home_.set("");
   EXPECT_EQ(configFolder(), "");
   EXPECT_EQ(dataFolder(), "");

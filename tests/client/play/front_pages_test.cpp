@@ -78,10 +78,16 @@ class FrontPagesTest : public testing::Test {
   Settings settings_;
   std::optional<MatchChoice> started_;
   bool quit_ = false;
+  std::pair<std::filesystem::path, SolidKind> edited_{{}, SolidKind::kTetrahedron};
   FrontPages pages_{menu_,
                     settings_,
                     RecentServers(folder_ / "recent"),
-                    {[this](const MatchChoice& choice) { started_ = choice; }, [this] { quit_ = true; }}};
+                    {[this](const MatchChoice& choice) { started_ = choice; },
+                     [this] { quit_ = true; },
+                     {},
+                     [this](const std::filesystem::path& file, SolidKind solid) {
+                       edited_ = {file, solid};
+                     }}};
 };
 
 TEST_F(FrontPagesTest, PlayStartsTheFirstLevelAndTheOthersFollow) {
@@ -92,6 +98,66 @@ TEST_F(FrontPagesTest, PlayStartsTheFirstLevelAndTheOthersFollow) {
   EXPECT_FALSE(started_->own.listens);
   EXPECT_EQ(started_->own.levels.size(), loadShippedLevels().size());
   EXPECT_NE(started_->own.levels.front().find("01_run_and_jump"), std::string::npos);
+}
+
+TEST_F(FrontPagesTest, ANewLevelIsMadeInTheFolderOfThePlayer) {
+  tap(Key::kArrowDown, 5);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("Enter a name"));
+  EXPECT_TRUE(edited_.first.empty());
+  tap(Key::kArrowUp, 2);
+  type("My room");
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_EQ(edited_.first, ownLevelsFolder() / "My_room.level");
+  EXPECT_EQ(edited_.second, SolidKind::kHexahedron);
+  EXPECT_TRUE(std::filesystem::is_directory(ownLevelsFolder()));
+}
+
+TEST_F(FrontPagesTest, TheLevelsOfThePlayerAreListedAndNotMadeAgain) {
+  std::filesystem::create_directories(ownLevelsFolder());
+  for (const char* const name : {"b.level", "a.level", "notes.txt"}) writeText(ownLevelsFolder() / name, "");
+  pages_.showEditor("it is broken");
+  EXPECT_TRUE(shows("it is broken"));
+  EXPECT_TRUE(shows("a.level") && shows("b.level"));
+  EXPECT_FALSE(shows("notes.txt"));
+  type("a");
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("There is a level of this name"));
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  EXPECT_EQ(edited_.first, ownLevelsFolder() / "a.level");
+}
+
+TEST_F(FrontPagesTest, ThePlayerEntersItsNameWhichTheSettingsKeep) {
+  tap(Key::kArrowDown, 6);
+  type(" Ann  Lee");
+  EXPECT_TRUE(shows("Ann  Lee"));
+  EXPECT_EQ(settings_.name, "Ann Lee") << "as it is seen";
+  type(std::string(40, 'x'));
+  EXPECT_TRUE(shows("xx"));
+  EXPECT_LE(settings_.name.size(), kMaxNameBytes);
+  tap(Key::kBackspace, 40);
+  EXPECT_FALSE(shows("Ann"));
+  EXPECT_EQ(settings_.name, "");
+}
+
+TEST_F(FrontPagesTest, TheNameOfTheCommandLineIsShownInstead) {
+  settings_.name = "Ann";
+  Menu menu;
+  FrontPages pages(menu, settings_, RecentServers(folder_ / "recent"), {[](const MatchChoice&) {}, [] {}},
+                   {.name = "Ben"});
+  pages.showTitle();
+  const std::vector<Overlay::Text> texts = menu.overlay(font_, false).texts;
+  const auto has = [&texts](const std::string& text) {
+    return std::any_of(texts.begin(), texts.end(), [&text](const Overlay::Text& each) { return each.content == text; });
+  };
+  EXPECT_TRUE(has("Ben"));
+  EXPECT_FALSE(has("Ann"));
+  EXPECT_EQ(settings_.name, "Ann");
 }
 
 TEST_F(FrontPagesTest, WhoAlwaysPlaysSlowedAdvancesToTheNextLevel) {
@@ -283,7 +349,7 @@ TEST_F(FrontPagesTest, JoinsAServerOfTheListUnderTheKeyOfTheList) {
   const std::string list = serverListText({listedServer(identity, {"127.0.0.1", 1}, "Listed")});
   const WebServer web([&](std::string_view) { return WebServer::ok(list); });
   FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"),
-                   {[this](const MatchChoice& choice) { started_ = choice; }, [] {}}, web.url());
+                   {[this](const MatchChoice& choice) { started_ = choice; }, [] {}}, {.listUrl = web.url()});
   pages.showTitle();
   tap(Key::kArrowDown, 2);
   tap(Key::kEnter);
@@ -410,7 +476,8 @@ TEST_F(FrontPagesTest, AListThatIsEnteredIsKeptByWhoLeavesThePageAtOnce) {
 TEST_F(FrontPagesTest, AListThatIsGivenGoesBeforeThatOfTheSettings) {
   settings_.listUrl = "http://127.0.0.1:1/";
   const WebServer web([](std::string_view) { return WebServer::ok("<html>"); });
-  FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"), {[](const MatchChoice&) {}, [] {}}, web.url());
+  FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"), {[](const MatchChoice&) {}, [] {}},
+                   {.listUrl = web.url()});
   pages.showTitle();
   tap(Key::kArrowDown, 2);
   tap(Key::kEnter);

@@ -25,6 +25,7 @@ class FakeScreen : public Screen {
   Next update(const Frame& /*frame*/) override { return note("update"); }
   void draw(const Frame& /*frame*/) override { note("draw"); }
   Time frameTime() const override { return kCalmFrameTime; }
+  Image read() const override { return {}; }
   bool updateBehind(const Frame& /*frame*/) override {
     note("behind");
     return returns;

@@ -77,7 +77,7 @@ struct OtherValue {
   void operator()(const SettingWords& words) const { words.choose(settings, words.words.size() - 1); }
   void operator()(QualityPart) const { read({"low", "0.5", "2"}); }
   void operator()(SettingMember<UntoldElements>) const { read({"none"}); }
-  void operator()(SettingMember<std::string>) const { read({"https://example.org/list"}); }
+  void operator()(const SettingText&) const { read({"https://example.org/list"}); }
 
   void read(std::initializer_list<std::string_view> values) const {
     EXPECT_TRUE(std::any_of(values.begin(), values.end(), [this](std::string_view value) {

@@ -88,6 +88,22 @@ TEST(Settings, BadValuesAreReported) {
   EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
 }
 
+TEST(Settings, ANameMayHaveSpacesAndLettersOfAllScripts) {
+  for (const std::string& name :
+       {std::string("Ann"), std::string("Ann Lee"), std::string("Лев"), std::string(32, 'W')}) {
+    Settings settings;
+    settings.name = name;
+    const SettingsResult result = parseSettings(settings.text());
+    EXPECT_EQ(result.errors, Lines());
+    EXPECT_EQ(result.settings.name, name);
+  }
+  EXPECT_EQ(parseSettings("name none").settings.name, "");
+  for (const std::string& bad : {std::string("name"), "name " + std::string(33, 'W'), std::string("name a\x1b[31m")}) {
+    EXPECT_EQ(parseSettings(bad).errors,
+              Lines{"line 1: name must be none, or a text of at most 32 bytes without control characters"});
+  }
+}
+
 TEST(Settings, AListOfServersIsAUrlOfTheWebOrNone) {
   const std::string longest = "https://" + std::string(kMaxListUrlBytes - 8, 'x');
   for (const std::string& url : {std::string("http://x"), std::string("https://[::1]:8000/a?b=c#d"), longest}) {

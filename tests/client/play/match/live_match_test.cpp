@@ -124,6 +124,20 @@ TEST_F(LiveMatchTest, WithAnotherPlayerTheGameGoesOn) {
   match.leave();
 }
 
+TEST_F(LiveMatchTest, ThePlayerHasTheNameOfTheChoiceUnlessTheOptionsNameOne) {
+  for (const std::string& option : {std::string(), std::string("Ben")}) {
+    ClientOptions options;
+    options.name = option;
+    MatchChoice choice = ownLevel();
+    choice.name = "Ann";
+    LiveMatch match(options, choice, clock_);
+    ASSERT_TRUE(
+        updateUntil(match, false, [&] { return confirmed(match) > 0 && !match.client().session()->names().empty(); }));
+    EXPECT_EQ(match.client().session()->names().front(), option.empty() ? "Ann" : "Ben");
+    match.leave();
+  }
+}
+
 TEST_F(LiveMatchTest, ARoundOfAPlayerWhoIsAloneHasNoTimeLimit) {
   MatchChoice choice = ownLevel();
   choice.own.waitsForOne = true;

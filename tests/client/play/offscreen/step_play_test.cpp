@@ -128,6 +128,31 @@ TEST(StepPlay, AKeyThatIsHeldRepeatsInAMenu) {
       << "after half a second it repeats 30 times a second";
 }
 
+TEST(StepPlay, FromTheTitleIntoTheEditorAndBack) {
+  const NewPlayer player;
+  StepPlay play(optionsOf());
+  const auto picture = [&] {
+    EXPECT_EQ(play.obey("shot " + player.file("picture.png")).substr(0, 3), "ok ");
+    return readText(player.file("picture.png"));
+  };
+  const auto tap = [&play](std::initializer_list<const char*> keys) {
+    for (const char* const key : keys) play.obey(std::string("tap ") + key);
+  };
+  tap({"arrow-up", "arrow-up", "arrow-up", "arrow-up", "enter"});
+  play.obey("type room");
+  const std::string page = picture();
+  tap({"arrow-down", "arrow-down", "enter"});
+  play.obey("wait 0.2");
+  EXPECT_TRUE(picture() != page);
+  play.obey("press ctrl");
+  tap({"s"});
+  play.obey("release ctrl");
+  EXPECT_NE(readText(player.folder / "platon/levels/room.level").find("# title: Room"), std::string::npos);
+  tap({"esc", "arrow-up", "enter"});
+  tap({"esc", "arrow-up", "enter"});
+  EXPECT_FALSE(play.isOpen()) << "from the page of the editor to the title, whose last item quits";
+}
+
 TEST(StepPlay, TheMouseChoosesAsTheKeysDo) {
   EXPECT_TRUE(picturesOf({"click 100 142", "wait 0.2"}).back() ==
               picturesOf({"tap arrow-down", "tap enter", "wait 0.02"}).back());
