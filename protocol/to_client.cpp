@@ -229,8 +229,12 @@ std::optional<ToClient> read(const wire::LocalSlots& table) {
   if (slots.size() != kMaxLocalPlayers || table.taken() >> kMaxLocalPlayers != 0 || !isFirstIn) return std::nullopt;
   LocalSlots message{{}, textOf(table.reason())};
   if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
-  for (std::size_t local = 0; local < slots.size(); ++local)
-    if ((table.taken() >> local & 1) != 0) message.slots[local] = slots[local];
+  for (std::size_t local = 0; local < slots.size(); ++local) {
+    if ((table.taken() >> local & 1) == 0) continue;
+    const std::optional<std::uint32_t> slot = slots[local];
+    if (std::find(message.slots.begin(), message.slots.end(), slot) != message.slots.end()) return std::nullopt;
+    message.slots[local] = slot;
+  }
   return message;
 }
 

@@ -142,10 +142,13 @@ struct PlayerChat {
   friend bool operator==(const PlayerChat&, const PlayerChat&) = default;
 };
 
-/// The slots of the players of this client, by local number. Answers each `Companion`, and is sent when a player has
+/// Slots by local number; nothing for a local number without a player.
+using SlotsByLocal = std::array<std::optional<std::uint32_t>, kMaxLocalPlayers>;
+
+/// The slots of the players of this client. Answers each `Companion`, and is sent when a player has
 /// been removed. After `Welcome`, only the player of `Hello` has a slot, unless a client resumes: then this follows.
 struct LocalSlots {
-  std::array<std::optional<std::uint32_t>, kMaxLocalPlayers> slots;  ///< below kMaxPlayers; of 0 always
+  SlotsByLocal slots;    ///< below kMaxPlayers, each once; of local number 0 always
   std::string reason{};  ///< why a player does not have one, a sentence for the players, a label; empty: as they wished
 
   friend bool operator==(const LocalSlots&, const LocalSlots&) = default;

@@ -59,8 +59,11 @@ void HollowSession::update(Time now, const Buttons& buttons) {
   if (ending() || !hasLevel_ || !exchange_) return;
   const std::uint32_t end = confirmed_.ticks + std::min(kMaxInputsPerMessage, UINT32_MAX - confirmed_.ticks);
   next_ = std::max(next_, confirmed_.ticks);
+  const std::function<InputsByLocal()> inputs = [&buttons] {
+    return InputsByLocal{{{static_cast<std::uint8_t>(buttons().buttons | Input::kPresent)}}};
+  };
   exchange_->update(now, next_);
-  for (; next_ < end && exchange_->isDue(next_); ++next_) exchange_->choose(next_, buttons);
+  for (; next_ < end && exchange_->isDue(next_); ++next_) exchange_->choose(next_, inputs);
   if (auto message = exchange_->takeMessage(now, confirmed_)) dialogue_.sendInputs(std::move(*message), now);
 }
 

@@ -11,6 +11,8 @@
 namespace platon {
 namespace {
 
+constexpr int kGap = 4;  // between two views, pixels
+
 float footOf(std::span<const Overlay> parts, const Font& font) {
   float foot = 0;
   for (const Overlay& part : parts) foot = std::max(foot, Overlay::kHeight - boundsOf(part, font).low.y);
@@ -19,14 +21,16 @@ float footOf(std::span<const Overlay> parts, const Font& font) {
 
 }  // namespace
 
-GameView::GameView(std::uint32_t width, std::uint32_t height) : renderer_(width, height, font_) {
+GameView::GameView(std::uint32_t width, std::uint32_t height)
+    : renderer_(width, height, font_), width_(width), height_(height) {
   camera_.resize(width, height);
 }
 
 void GameView::resize(std::uint32_t width, std::uint32_t height) {
   if (width == 0 || height == 0) return;
   renderer_.resize(width, height);
-  camera_.resize(width, height);
+  width_ = width;
+  height_ = height;
 }
 
 float GameView::screenWidth() const { return Overlay::widthFor(width(), height()); }
@@ -34,14 +38,15 @@ float GameView::screenWidth() const { return Overlay::widthFor(width(), height()
 void GameView::draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu,
                     double seconds, std::span<const Overlay> more) {
   const Camera& camera = camera_.camera();
-  HudStatus shown = status;
-  shown.scale = textScale(settings);
-  if (shown.notice.empty()) shown.notice = notice_;
+  HudStatus shown = shownStatus(status, settings);
   shown.foot = footOf(more, font_);
-  if (settings.netGraph) shown.netGraph = &netGraph_;
   std::vector<Overlay> overlays;
+  others_.clear();
+  camera_.resize(width_, height_);
   if (scene != nullptr) {
-    moveCamera(*scene, settings, seconds);
+    moveCamera(camera_, *scene, settings, seconds);
+    fold(*scene);
+    rolls_ = {camera.rollOf(scene->focus)};
     fade(seconds);
     shown.assembling = camera_.folded() < 1;
     overlays.push_back(makeHud(*scene, camera, shown, font_));
@@ -58,6 +63,72 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
     renderer_.draw(*scene, camera, overlays, style);
   } else {
     renderer_.drawEmpty(overlays);
+  }
+}
+
+HudStatus GameView::shownStatus(const HudStatus& status, const Settings& settings) const {
+  HudStatus shown = status;
+  shown.scale = textScale(settings);
+  if (shown.notice.empty()) shown.notice = notice_;
+  if (settings.netGraph) shown.netGraph = &netGraph_;
+  return shown;
+}
+
+void GameView::drawShared(std::span<const Scene> scenes, const HudStatus& status, const Settings& settings,
+                          const Overlay& menu, double seconds) {
+  const bool one = isOneView(scenes, settings, seconds);
+  HudStatus shown = shownStatus(status, settings);
+  shown.assembling = camera_.folded() < 1;
+  fade(one ? seconds : kFadeSeconds);
+  const std::size_t views = one ? 1 : scenes.size();
+  const glm::ivec2 size(width_, height_);
+  const std::vector<PictureArea> areas = areasOf(views, size, kGap);
+  const float unit = Overlay::kHeight / static_cast<float>(height_);
+  std::vector<SceneView> parts;
+  std::vector<HudPane> panes;
+  for (std::size_t i = 0; i < views; ++i) {
+    const Camera& camera = (i == 0 ? camera_ : others_[i - 1]).camera();
+    parts.push_back({&scenes[i], &camera, areas[i].corner});
+    panes.push_back({&scenes[i], &camera, unit * glm::vec2(areas[i].corner), unit * glm::vec2(areas[i].size)});
+  }
+  std::array overlays{makeSharedHud(panes, shown, font_, screenWidth()), menu};
+  const PictureStyle style = styleOf(settings);
+  if (style.highContrast) std::for_each(overlays.begin(), overlays.end(), raiseContrast);
+  renderer_.setFaceNumbers(settings.faceNumbers);
+  one ? renderer_.draw(scenes[0], camera_.camera(), overlays, style) : renderer_.draw(parts, overlays, style);
+}
+
+// Moves all cameras. Whether one view shows all players; while the solid is put together, it is that of the first one.
+bool GameView::isOneView(std::span<const Scene> scenes, const Settings& settings, double seconds) {
+  const Scene& first = scenes.front();
+  std::vector<Pose> players;
+  for (const Scene& scene : scenes) players.push_back(scene.focus);
+  const bool wasOne = group_.together() && settings.views == SharedViews::kOne;
+  camera_.resize(width_, height_);
+  if (wasOne || camera_.flying()) moveCamera(camera_, first, settings, seconds);
+  if (groupStage_.lock() != first.stage) group_.reset();
+  groupStage_ = first.stage;
+  const double aspect = double{1} * width_ / height_;
+  group_.move(players, first.stage->mesh, settings.zoom, aspect, camera_.camera().viewPoint(), seconds);
+  fold(first);
+  const bool one = camera_.flying() || (group_.together() && settings.views == SharedViews::kOne);
+  if (one && !camera_.flying()) camera_.show(group_.view());
+  if (!one) divide(scenes, settings, wasOne ? 0 : seconds);
+  rolls_.clear();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const ViewPoint& own = (i == 0 || one ? camera_ : others_[i - 1]).camera().viewPoint();
+    rolls_.push_back(rollIn(one && !camera_.flying() ? group_.view() : own, scenes[i].focus));
+  }
+  return one;
+}
+
+void GameView::divide(std::span<const Scene> scenes, const Settings& settings, double seconds) {
+  const std::vector<PictureArea> areas = areasOf(scenes.size(), {width_, height_}, kGap);
+  others_.resize(scenes.size() - 1);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    GameCamera& camera = i == 0 ? camera_ : others_[i - 1];
+    camera.resize(static_cast<std::uint32_t>(areas[i].size.x), static_cast<std::uint32_t>(areas[i].size.y));
+    moveCamera(camera, scenes[i], settings, seconds);
   }
 }
 
@@ -82,16 +153,18 @@ void GameView::fade(double seconds) {
   renderer_.setFade(fadeLeft_);
 }
 
-void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {
-  camera_.setComfort(settings.comfort, settings.zoom);
-  camera_.setArrived(scene.attempt && scene.attempt->arrived);
-  camera_.setLongFall(scene.longFall);
-  camera_.setBegun(!scene.attempt || scene.attempt->seconds > 0);
-  camera_.move(scene.focus, scene.stage, scene.elements, look_, seconds);
+void GameView::moveCamera(GameCamera& camera, const Scene& scene, const Settings& settings, double seconds) {
+  camera.setComfort(settings.comfort, settings.zoom);
+  camera.setArrived(scene.attempt && scene.attempt->arrived);
+  camera.setLongFall(scene.longFall);
+  camera.setBegun(!scene.attempt || scene.attempt->seconds > 0);
+  camera.move(scene.focus, scene.stage, scene.elements, &camera == &camera_ ? look_ : LookInput(), seconds);
+}
+
+void GameView::fold(const Scene& scene) {
   const double folded = camera_.folded();
   const StageModel& stage = *scene.stage;
   renderer_.setPlaces(folded < 1 ? foldedPlaces(stage.mesh, stage.goal.face, folded) : std::vector<glm::dmat4>());
-  roll_ = camera_.camera().rollOf(scene.focus);
 }
 
 }  // namespace platon

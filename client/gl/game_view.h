@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "client/gl/image.h"
 #include "client/gl/renderer.h"
@@ -10,6 +13,7 @@
 #include "client/hud/net_graph.h"
 #include "client/scene/camera_controls.h"
 #include "client/scene/game_camera.h"
+#include "client/scene/group_view.h"
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
@@ -43,12 +47,17 @@ class GameView {
   void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu, double seconds,
             std::span<const Overlay> more = {});
 
+  /// Draws the picture of several local players likewise: in one view while it can show all of them, unless the
+  /// settings give each its own. `scenes`: as each sees it, from two on, the first player's first.
+  void drawShared(std::span<const Scene> scenes, const HudStatus& status, const Settings& settings, const Overlay& menu,
+                  double seconds);
+
   /// Draws a scene as a camera of the size of the picture sees it, and a menu and the notice in front of it. The notice
   /// stands to the right of `left` on the virtual screen.
   void drawBeside(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu, float left);
   /// Size of the picture in pixels.
-  std::uint32_t width() const { return camera_.camera().width(); }
-  std::uint32_t height() const { return camera_.camera().height(); }
+  std::uint32_t width() const { return width_; }
+  std::uint32_t height() const { return height_; }
 
   /// How the player looks round in the next pictures.
   void look(const LookInput& input) { look_ = input; }
@@ -59,8 +68,8 @@ class GameView {
   /// Ends the flight soon.
   void skip() { camera_.skipFlight(); }
 
-  /// Camera::rollOf the focus of the last scene, for Steering.
-  double roll() const { return roll_; }
+  /// Camera::rollOf the focus of the last scene of this local player, for Steering.
+  double roll(std::size_t view = 0) const { return view < rolls_.size() ? rolls_[view] : 0; }
   NetGraph& netGraph() { return netGraph_; }
   const Font& font() const { return font_; }
   /// Of the virtual screen.
@@ -75,17 +84,26 @@ class GameView {
   Image read() const { return renderer_.read(); }
 
  private:
+  HudStatus shownStatus(const HudStatus& status, const Settings& settings) const;
   void fade(double seconds);
-  void moveCamera(const Scene& scene, const Settings& settings, double seconds);
+  void moveCamera(GameCamera& camera, const Scene& scene, const Settings& settings, double seconds);
+  void fold(const Scene& scene);
+  void divide(std::span<const Scene> scenes, const Settings& settings, double seconds);
+  bool isOneView(std::span<const Scene> scenes, const Settings& settings, double seconds);
 
   Font font_;
   Renderer renderer_;
+  std::uint32_t width_;
+  std::uint32_t height_;
   GameCamera camera_;
+  std::vector<GameCamera> others_;  // of the local players but the first
+  GroupView group_;
+  std::weak_ptr<const StageModel> groupStage_;
   LookInput look_;
   std::string notice_;
   NetGraph netGraph_;
-  double fadeLeft_ = 0;  // of a cut of the camera, 0 … 1
-  double roll_ = 0;
+  double fadeLeft_ = 0;           // of a cut of the camera, 0 … 1
+  std::vector<double> rolls_{0};  // by view
 };
 
 }  // namespace platon

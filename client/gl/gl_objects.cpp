@@ -26,6 +26,11 @@ void DrawCalls::blit(GLint fromWidth, GLint fromHeight, GLint toWidth, GLint toH
   glBlitFramebuffer(0, 0, fromWidth, fromHeight, 0, 0, toWidth, toHeight, GL_COLOR_BUFFER_BIT, filter);
 }
 
+void DrawCalls::copy(glm::ivec2 size, glm::ivec2 to) {
+  if (withheld_) return;
+  glBlitFramebuffer(0, 0, size.x, size.y, to.x, to.y, to.x + size.x, to.y + size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void attachColour(const GlTexture& texture, std::uint32_t width, std::uint32_t height) {
   glBindTexture(GL_TEXTURE_2D, texture.name());
   // The order of the bytes in windows, which drivers that draw with the processor copy and write fastest.

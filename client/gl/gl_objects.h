@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <GL/glew.h>
+#include <glm/vec2.hpp>
 
 namespace platon {
 
@@ -59,6 +60,8 @@ class DrawCalls {
   /// As glClear and glBlitFramebuffer from the lower left corner, of colours; neither is a draw call.
   static void clear(GLbitfield buffers);
   static void blit(GLint fromWidth, GLint fromHeight, GLint toWidth, GLint toHeight, GLenum filter);
+  /// Likewise, with its lower left corner at `to`.
+  static void copy(glm::ivec2 size, glm::ivec2 to);
 
   /// The draw calls so far.
   static std::uint64_t count() { return count_; }

@@ -84,9 +84,26 @@ void RenderTarget::resolve() const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, scaler_ ? small_.name() : plain_.name());
     DrawCalls::blit(w, h, w, h, GL_NEAREST);
   }
+  bindPlain();
+  if (scaler_) scaler_->draw(smallColour_);
+}
+
+void RenderTarget::bindPlain() const {
   glBindFramebuffer(GL_FRAMEBUFFER, plain_.name());
   glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
-  if (scaler_) scaler_->draw(smallColour_);
+}
+
+void RenderTarget::clearPlain() const {
+  bindPlain();
+  glClearColor(0, 0, 0, 1);
+  DrawCalls::clear(GL_COLOR_BUFFER_BIT);
+}
+
+void RenderTarget::copyInto(const RenderTarget& other, std::uint32_t x, std::uint32_t y) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, other.plain_.name());
+  DrawCalls::copy({static_cast<GLint>(width_), static_cast<GLint>(height_)},
+                  {static_cast<GLint>(x), static_cast<GLint>(y)});
 }
 
 void RenderTarget::copyTo(GLuint framebuffer) const {

@@ -45,6 +45,13 @@ class RenderTarget {
   void resolve() const;
   /// Copies the plain picture to the window, which must have the same size.
   void present() const { copyTo(0); }
+  /// Directs drawing to the plain picture.
+  void bindPlain() const;
+  /// Copies the plain picture into that of `other`, which has room for it, with its lower left corner at `x`, `y`.
+  /// Changes the bound framebuffer.
+  void copyInto(const RenderTarget& other, std::uint32_t x, std::uint32_t y) const;
+  /// Makes the plain picture black.
+  void clearPlain() const;
   /// Copies the plain picture to a framebuffer with a picture of the same size.
   void copyTo(const GlFramebuffer& other) const { copyTo(other.name()); }
   /// Returns the plain picture.

@@ -84,14 +84,46 @@ void Renderer::resize(std::uint32_t width, std::uint32_t height) {
 
 void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
                     const PictureStyle& style) {
+  drawScene(scene, camera, target_, follow_, style);
+  panes_.clear();
+  if (!painted_) return;
+  target_.resolve();
+  drawOverlays(overlays);
+}
+
+void Renderer::draw(std::span<const SceneView> views, std::span<const Overlay> overlays, const PictureStyle& style) {
+  panes_.resize(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    fit(panes_[i], *views[i].camera);
+    drawScene(*views[i].scene, *views[i].camera, *panes_[i].target, panes_[i].follow, style);
+    if (painted_) panes_[i].target->resolve();
+  }
+  if (!painted_) return;
+  target_.clearPlain();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const glm::uvec2 corner(views[i].corner);
+    panes_[i].target->copyInto(target_, corner.x, target_.height() - corner.y - panes_[i].target->height());
+  }
+  target_.bindPlain();
+  drawOverlays(overlays);
+}
+
+void Renderer::fit(Pane& pane, const Camera& camera) const {
+  const bool fits = pane.target && pane.target->width() == camera.width() && pane.target->height() == camera.height();
+  if (fits) return;
+  pane.target = std::make_unique<RenderTarget>(camera.width(), camera.height(), quality_.samples, quality_.scale);
+}
+
+void Renderer::drawScene(const Scene& scene, const Camera& camera, const RenderTarget& target, Follow& follow,
+                         const PictureStyle& style) {
   const StageModel& stage = *scene.stage;
   const bool particles = style.animated && !style.highContrast && quality_.particles;
   StagePainter::Decoration decoration;
   decoration.seconds = style.animated ? static_cast<float>(scene.seconds) : 0;
   decoration.numbers = faceNumbers_;
-  decoration.trails = advance(scene, particles);
-  decoration.goal = goal_;
-  decoration.crossing = crossing_;
+  decoration.trails = advance(scene, follow, particles);
+  decoration.goal = follow.goal;
+  decoration.crossing = follow.crossing;
   if (!style.animated || !style.flashes) decoration.goal.settle();
   if (!style.animated) decoration.crossing.reset();
   if (!style.flashes) decoration.crossing.darken();
@@ -99,16 +131,16 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
   ballPainter_.setFine(quality_.fine);
   if (!painted_) return;
-  beginPicture();
-  drawSolid(scene, camera, decoration);
+  beginPicture(target);
+  drawSolid(scene, camera, target, decoration);
   for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);
   if (particles) skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), scene.seconds);
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i) drawPlayer(scene.ghosts[i], ghosts_[i], camera, style);
   beamPainter_.draw(stage, camera, beamStrength(decoration.goal), decoration.seconds);
-  drawOverlays(overlays);
 }
 
-void Renderer::drawSolid(const Scene& scene, const Camera& camera, const StagePainter::Decoration& decoration) {
+void Renderer::drawSolid(const Scene& scene, const Camera& camera, const RenderTarget& target,
+                         const StagePainter::Decoration& decoration) {
   const StageModel& stage = *scene.stage;
   const SolidViews views = viewsOf(stage.mesh, camera, places_);
   stagePainter_.drawFaces(stage, views.faces);
@@ -116,7 +148,7 @@ void Renderer::drawSolid(const Scene& scene, const Camera& camera, const StagePa
     const DecalScope scope;
     stagePainter_.drawBelow(scene, views.outer, decoration, textPainter_);
   }
-  const glm::uvec2 pixels(target_.sampledWidth(), target_.sampledHeight());
+  const glm::uvec2 pixels(target.sampledWidth(), target.sampledHeight());
   stagePainter_.drawWalls(stage, views.outer, pixels, decoration.crossing);
   stagePainter_.drawWalls(stage, views.onlyWalls, pixels, decoration.crossing);
   {
@@ -133,14 +165,15 @@ void Renderer::drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& c
 }
 
 // Moves balls and goal on to this moment. Returns the trails.
-FaceMarks Renderer::advance(const Scene& scene, bool particles) {
+FaceMarks Renderer::advance(const Scene& scene, Follow& follow, bool particles) {
   if (stage_.lock() != scene.stage) {
     balls_.clear();
     ghosts_.clear();
-    crossing_.reset();
+    follow_.crossing.reset();
+    for (Pane& pane : panes_) pane.follow.crossing.reset();
   }
   stage_ = scene.stage;
-  goal_.advance(scene.attempt && scene.attempt->arrived, scene.seconds);
+  follow.goal.advance(scene.attempt && scene.attempt->arrived, scene.seconds);
   auto marks = std::make_shared<std::vector<FaceMark>>();
   for (const PlayerDrawing& player : scene.players) {
     BallMotion& ball = balls_.try_emplace(player.slot, StageModel::kPlayerRadius).first->second;
@@ -148,16 +181,16 @@ FaceMarks Renderer::advance(const Scene& scene, bool particles) {
     if (particles) ball.addMarks(player.colour, scene.stage->scheme().wall, *marks);
   }
   if (!scene.players.empty() && scene.players.back().local)
-    crossing_.advance(*scene.stage, scene.elements, scene.players.back().pose, scene.seconds);
+    follow.crossing.advance(*scene.stage, scene.elements, scene.players.back().pose, scene.seconds);
   ghosts_.resize(scene.ghosts.size(), BallMotion(StageModel::kPlayerRadius));
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i)
     ghosts_[i].advance(scene.stage->mesh, scene.ghosts[i].pose, scene.seconds);
   return marks;
 }
 
-void Renderer::beginPicture() {
-  skyPainter_.prepare(scheme_, target_.sampledWidth(), target_.sampledHeight());
-  target_.bindSampled();
+void Renderer::beginPicture(const RenderTarget& target) {
+  skyPainter_.prepare(scheme_, target.sampledWidth(), target.sampledHeight());
+  target.bindSampled();
   setDefaults();
   DrawCalls::clear(GL_DEPTH_BUFFER_BIT);
   skyPainter_.drawSky();
@@ -166,17 +199,19 @@ void Renderer::beginPicture() {
 void Renderer::setQuality(const Quality& quality) {
   const bool same = quality.samples == quality_.samples && quality.scale == quality_.scale;
   quality_ = quality;
-  if (!same) target_ = RenderTarget(target_.width(), target_.height(), quality.samples, quality.scale);
+  if (same) return;
+  target_ = RenderTarget(target_.width(), target_.height(), quality.samples, quality.scale);
+  for (Pane& pane : panes_) pane.target.reset();
 }
 
 void Renderer::drawEmpty(std::span<const Overlay> overlays) {
   if (!painted_) return;
-  beginPicture();
+  beginPicture(target_);
+  target_.resolve();
   drawOverlays(overlays);
 }
 
 void Renderer::drawOverlays(std::span<const Overlay> overlays) {
-  target_.resolve();
   if (fadeOpacity_ > 0) fade_.draw(fadeOpacity_);
   glDisable(GL_DEPTH_TEST);
   const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());

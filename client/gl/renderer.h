@@ -37,6 +37,13 @@ inline PictureStyle styleOf(const Settings& settings) {
   return {animated, animated && settings.flashes, settings.highContrast};
 }
 
+/// One of several views in a picture.
+struct SceneView {
+  const Scene* scene = nullptr;
+  const Camera* camera = nullptr;  ///< of the size of the view
+  glm::ivec2 corner{0};            ///< the upper left one, pixels
+};
+
 /// Draws scenes with OpenGL 3.3 core. The context must be current from construction to destruction.
 class Renderer {
  public:
@@ -49,6 +56,10 @@ class Renderer {
 
   /// Draws the scene as `camera` sees it, then the overlays, in order. The camera must have the size of the picture.
   void draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
+            const PictureStyle& style = PictureStyle());
+
+  /// Draws several scenes of one stage and moment, each in its part of the picture, then the overlays, in order.
+  void draw(std::span<const SceneView> views, std::span<const Overlay> overlays,
             const PictureStyle& style = PictureStyle());
 
   /// Whether `draw` and `drawEmpty` paint, as at first. If not, `draw` only moves on what moves by itself.
@@ -78,10 +89,25 @@ class Renderer {
   Image read() const { return target_.read(); }
 
  private:
-  void beginPicture();
+  // What one view follows from picture to picture.
+  struct Follow {
+    GoalMotion goal;
+    EdgeCrossing crossing;
+  };
+  // A view beside others.
+  struct Pane {
+    Follow follow;
+    std::unique_ptr<RenderTarget> target;
+  };
+
+  void drawScene(const Scene& scene, const Camera& camera, const RenderTarget& target, Follow& follow,
+                 const PictureStyle& style);
+  void beginPicture(const RenderTarget& target);
   void drawOverlays(std::span<const Overlay> overlays);
-  FaceMarks advance(const Scene& scene, bool particles);
-  void drawSolid(const Scene& scene, const Camera& camera, const StagePainter::Decoration& decoration);
+  FaceMarks advance(const Scene& scene, Follow& follow, bool particles);
+  void drawSolid(const Scene& scene, const Camera& camera, const RenderTarget& target,
+                 const StagePainter::Decoration& decoration);
+  void fit(Pane& pane, const Camera& camera) const;
   void drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style);
 
   Quality quality_ = namedQuality(QualityLevel::kHigh).quality;
@@ -91,8 +117,8 @@ class Renderer {
   std::weak_ptr<const StageModel> stage_;      // of the last scene
   std::map<std::uint32_t, BallMotion> balls_;  // by slot
   std::vector<BallMotion> ghosts_;             // as Scene::ghosts
-  GoalMotion goal_;
-  EdgeCrossing crossing_;
+  Follow follow_;                              // of a picture with one view
+  std::vector<Pane> panes_;                    // of one with several
   RenderTarget target_;
   PictureFade fade_;
   double fadeOpacity_ = 0;

@@ -177,7 +177,7 @@ void DesktopWindow::poll() {
   glfwPollEvents();
   const std::vector<KeyEvent> gamepadEvents = gamepadKeys_.update(readGamepads());
   events_.insert(events_.end(), gamepadEvents.begin(), gamepadEvents.end());
-  if (gamepadKeys_.takeLost()) events_.emplace_back(GamepadLost());
+  for (const int pad : gamepadKeys_.takeLost()) events_.emplace_back(GamepadLost{pad});
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(handle_, &width, &height);

@@ -22,8 +22,10 @@ std::optional<Key> keyOfGlfw(int glfwKey);
 /// The state of a gamepad as GLFW reports it. A trigger is pressed from half its way.
 GamepadState gamepadOfGlfw(const GLFWgamepadstate& glfwState);
 
-/// The gamepad that was used last has been disconnected. The events that release its keys come before.
-struct GamepadLost {};
+/// A gamepad with which somebody has played has been disconnected. The events that release its keys come before.
+struct GamepadLost {
+  int pad = 0;  ///< GamepadState::id
+};
 
 /// Files were dropped on the window; their paths, in order.
 struct FilesDropped {

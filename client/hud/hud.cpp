@@ -60,6 +60,7 @@ std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
           row(Control::kVote, "next level, or a vote for it"),
           row(Control::kWatch, "after the goal: watch others"),
           row(Control::kSay, "talk to all players"),
+          {"F2", pad("RT"), "another player joins, or leaves"},
           {emotes, "", "wave, laugh, here!, thanks"},
           {"F1", "", "help"},
           {"F3", "", "connection graph"},
@@ -152,12 +153,25 @@ void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, 
   }
 }
 
-// The place on the screen above a player; nothing if its face looks away from the camera, so that the solid hides it.
-std::optional<glm::vec2> placeAbove(const PlayerDrawing& player, const Camera& camera, glm::vec2 screen) {
+// On the virtual screen, of a point before the camera.
+glm::vec2 onScreen(const HudPane& pane, glm::dvec3 point) {
+  const glm::dvec4 clip = pane.camera->viewProjection() * glm::dvec4(point, 1);
+  return pane.corner + glm::vec2((clip.x / clip.w + 1) / 2, (1 - clip.y / clip.w) / 2) * pane.size;
+}
+
+bool isWithin(const HudPane& pane, glm::vec2 place) {
+  const glm::vec2 end = pane.corner + pane.size;
+  return place.x >= pane.corner.x && place.y >= pane.corner.y && place.x <= end.x && place.y <= end.y;
+}
+
+// The place on the screen above a player; nothing if it is out of the pane, or if its face looks away from the camera,
+// so that the solid hides it.
+std::optional<glm::vec2> placeAbove(const PlayerDrawing& player, const HudPane& pane) {
+  const Camera& camera = *pane.camera;
   if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return std::nullopt;
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
-  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
-  return glm::vec2((clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y);
+  const glm::vec2 place = onScreen(pane, above);
+  return isWithin(pane, place) ? std::optional(place) : std::nullopt;
 }
 
 void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, glm::vec2 place) {
@@ -172,9 +186,10 @@ bool coversLocalPlayer(const Scene& scene, const PlayerDrawing& ghost) {
   return glm::distance(scene.players.back().pose.position, ghost.pose.position) < kDistance;
 }
 
-void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
+void placeNameTags(HudSpace& space, const HudPane& pane, const Font& font) {
+  const Scene& scene = *pane.scene;
   const auto place = [&](const PlayerDrawing& player) {
-    const std::optional<glm::vec2> above = placeAbove(player, camera, space.screen());
+    const std::optional<glm::vec2> above = placeAbove(player, pane);
     if (above) space.addOver(drawn(font, [&](OverlayWriter& writer) { addNameTag(writer, player, *above); }));
   };
   for (const PlayerDrawing& ghost : scene.ghosts) {
@@ -183,12 +198,25 @@ void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, co
   for (const PlayerDrawing& player : scene.players) place(player);
 }
 
+// In a long fall the own ball is small, and half of the time behind the solid.
+void placeRing(HudSpace& space, const HudPane& pane, const Font& font) {
+  constexpr float kSize = 44;
+  const Scene& scene = *pane.scene;
+  if (!scene.longFall || scene.players.empty()) return;
+  const PlayerDrawing& player = scene.players.back();
+  const glm::vec2 place = onScreen(pane, player.pose.position);
+  space.addOver(drawn(font, [&](OverlayWriter& writer) {
+    writer.centred("\u25cb", place + glm::vec2(0, kSize * Font::kCapitalHeight / 2), kSize,
+                   glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+  }));
+}
+
 // Bubbles with what players say, above their names.
-void placeBubbles(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
+void placeBubbles(HudSpace& space, const HudPane& pane, const Font& font) {
   constexpr float kRise = 34;
-  for (const PlayerDrawing& player : scene.players) {
+  for (const PlayerDrawing& player : pane.scene->players) {
     const std::optional<glm::vec2> above =
-        player.says.empty() ? std::nullopt : placeAbove(player, camera, space.screen());
+        player.says.empty() ? std::nullopt : placeAbove(player, pane);
     if (!above) continue;
     const glm::vec4 colour(glm::mix(player.colour, Colour(1), 0.5F), 1);
     space.addOver(drawn(font, [&](OverlayWriter& writer) {
@@ -198,28 +226,41 @@ void placeBubbles(HudSpace& space, const Scene& scene, const Camera& camera, con
 }
 
 // At the border, or nearer to the middle if there is no room.
-void placeSign(HudSpace& space, const Camera& camera, glm::dvec3 point, const std::string& name, glm::vec4 colour,
+void placeSign(HudSpace& space, const HudPane& pane, glm::dvec3 point, const std::string& name, glm::vec4 colour,
                const Font& font) {
   constexpr float kSize = kSmallestText;
-  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
+  const glm::dvec4 clip = pane.camera->viewProjection() * glm::dvec4(point, 1);
   for (float part = 1; part > 0.5F; part -= 0.08F) {
     const glm::vec2 half(font.width(name + "  ") * kSize / 2 + 3 * kSize, 2 * kSize);
-    const auto sign = edgeSignOf(clip, space.screen(), (space.screen() / 2.0F - half) * part);
+    const auto sign = edgeSignOf(clip, pane.size, glm::max((pane.size / 2.0F - half) * part, glm::vec2(1)));
     if (!sign) return;
     const auto draw = [&](OverlayWriter& writer) {
-      writer.pill(std::string(sign->arrow) + " " + name, sign->place, kSize, colour);
+      writer.pill(std::string(sign->arrow) + " " + name, pane.corner + sign->place, kSize, colour);
     };
     if (space.add(drawn(font, draw))) return;
   }
 }
 
 // Show where the goal and the other players are when they are out of the picture.
-void placeSigns(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
-  const Marker& goal = scene.stage->goal;
-  placeSign(space, camera, scene.stage->mesh.pose(goal.face, goal.place, goal.angle).position, "★ goal", kGold, font);
-  for (const PlayerDrawing& player : scene.players) {
+void placeSigns(HudSpace& space, const HudPane& pane, const Font& font) {
+  const StageModel& stage = *pane.scene->stage;
+  const Marker& goal = stage.goal;
+  placeSign(space, pane, stage.mesh.pose(goal.face, goal.place, goal.angle).position, "★ goal", kGold, font);
+  for (const PlayerDrawing& player : pane.scene->players) {
     const glm::vec4 colour(glm::mix(player.colour, Colour(1), 0.35F), 1);
-    if (!player.local) placeSign(space, camera, player.pose.position, shownNameOf(player), colour, font);
+    if (!player.local) placeSign(space, pane, player.pose.position, shownNameOf(player), colour, font);
+  }
+}
+
+// At the upper edge of the pane; below what stands there.
+void placeOwner(HudSpace& space, const HudPane& pane, const Font& font) {
+  if (pane.scene->players.empty() || !pane.scene->players.back().local) return;
+  const PlayerDrawing& player = pane.scene->players.back();
+  const glm::vec4 colour(glm::mix(player.colour, Colour(1), 0.35F), 1);
+  for (float below = 24; below < pane.size.y / 2; below += 8) {
+    const glm::vec2 place = pane.corner + glm::vec2(pane.size.x / 2, below);
+    const auto draw = [&](OverlayWriter& writer) { writer.pill(shownNameOf(player), place, kSmallestText, colour); };
+    if (space.add(drawn(font, draw))) return;
   }
 }
 
@@ -255,6 +296,7 @@ std::string hintOf(const Scene& scene, const HudStatus& status) {
     return medal + (medal.empty() || status.hint.empty() ? "" : " · ") + status.hint;
   }
   return "This level needs " + std::to_string(scene.neededPlayers) + " players. " +
+         (status.keys.gamepad() ? "RT" : "F2") + ": another one joins here · " +
          status.keys.to(Control::kVote, "next level");
 }
 
@@ -414,8 +456,11 @@ Overlay makeNotice(const std::string& notice, const Font& font, float width, flo
   return scaledBy(space.overlay(), scale);
 }
 
-Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
-  const float width = Overlay::widthFor(camera.width(), camera.height());
+namespace {
+
+// `width`: of the virtual screen at scale 1. The first pane tells what is told once.
+Overlay hudOf(std::span<const HudPane> panes, const HudStatus& status, const Font& font, float width) {
+  const Scene& scene = *panes.front().scene;
   HudSpace space = spaceFor(status, font, width);
   const glm::vec2 screen = space.screen();
   placeTexts(space, status, status.underMenu ? "" : actionOf(scene, status, font), font);
@@ -432,10 +477,31 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   placePlayers(space, scene, status, font);
   placeChat(space, status.chat, font);
   if (status.assembling) return scaledBy(space.overlay(), status.scale);
-  placeSigns(space, scene, camera, font);
-  placeNameTags(space, scene, camera, font);
-  placeBubbles(space, scene, camera, font);
+  for (const HudPane& pane : panes) {
+    if (panes.size() > 1) placeOwner(space, pane, font);
+    placeSigns(space, pane, font);
+    placeNameTags(space, pane, font);
+    placeRing(space, pane, font);
+    placeBubbles(space, pane, font);
+  }
   return scaledBy(space.overlay(), status.scale);
+}
+
+}  // namespace
+
+Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
+  const float width = Overlay::widthFor(camera.width(), camera.height());
+  const HudPane pane{&scene, &camera, {0, 0}, glm::vec2(width, Overlay::kHeight) / status.scale};
+  return hudOf({&pane, 1}, status, font, width);
+}
+
+Overlay makeSharedHud(std::span<const HudPane> panes, const HudStatus& status, const Font& font, float width) {
+  std::vector<HudPane> scaled(panes.begin(), panes.end());
+  for (HudPane& pane : scaled) {
+    pane.corner /= status.scale;
+    pane.size /= status.scale;
+  }
+  return hudOf(scaled, status, font, width);
 }
 
 }  // namespace platon

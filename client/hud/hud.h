@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,10 +58,21 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 /// A notice alone, at the lower edge of a virtual screen of this width at scale 1; `scale`: as HudStatus::scale.
 Overlay makeNotice(const std::string& notice, const Font& font, float width, float scale);
 
+/// A part of the screen in which a local player sees the game, beside those of others.
+struct HudPane {
+  const Scene* scene = nullptr;
+  const Camera* camera = nullptr;
+  glm::vec2 corner{0};  ///< the upper left one, on the virtual screen
+  glm::vec2 size{0};
+};
+
 /// Title, clock, the local player's own time, list of players, name tags, signs of what is out of the picture, results,
 /// vote, message, notice, hint, graph and help. Nothing overlaps and all is on the screen; what finds no room is
 /// shortened or left out.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
+/// The same for several local players, of whom the first pane has the first one: each pane has its own name tags and
+/// signs, and its player's name. `width`: of the virtual screen at scale 1.
+Overlay makeSharedHud(std::span<const HudPane> panes, const HudStatus& status, const Font& font, float width);
 
 /// Where the border of the screen shows that something lies beyond it.
 struct EdgeSign {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "client/ui/font.h"
@@ -53,17 +54,18 @@ std::string nextText(const RoundSummary& summary, const Font& font) {
 }
 
 // `tripWidth`: for the round trip, right of the time.
-void addResult(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 start, float tripWidth,
-               const Font& font) {
+// `place`: nothing in a team, which has no ranks.
+void addResult(OverlayWriter& writer, const PlayerDrawing& player, std::optional<std::size_t> place, glm::vec2 start,
+               float tripWidth, const Font& font) {
   const bool finished = player.finishSeconds.has_value();
   const glm::vec4 colour = player.local ? kBright : kSoft;
   const float right = start.x + kPanelWidth - 2 * kPanelPadding;
   const float nameWidth = right - kTimeWidth - (start.x + 32);
-  if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kPanelTextSize, colour);
+  if (finished && place) writer.right(std::to_string(*place) + ".", {start.x + 22, start.y}, kPanelTextSize, colour);
   writer.left(fittedText(shownNameOf(player), font, nameWidth / kPanelTextSize), {start.x + 32, start.y},
               kPanelTextSize, colour);
-  writer.right(finished ? finishText(*player.finishSeconds) : "–", {right, start.y}, kPanelTextSize,
-               finished ? kGold : kSoft);
+  const std::string reached = place ? (finished ? finishText(*player.finishSeconds) : "–") : (finished ? "✓" : "–");
+  writer.right(reached, {right, start.y}, kPanelTextSize, finished ? kGold : kSoft);
   if (player.roundTripMs) writer.right(roundTripText(player), {right + tripWidth, start.y}, kPanelTextSize, kSoft);
 }
 
@@ -75,7 +77,7 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
 
 OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optional<MedalTimes>& medals) {
   OwnResult result;
-  result.headline = "Goal!";
+  result.headline = scene.isTeam ? "Together at the goal!" : "Goal!";
   result.time = finishText(scene.attempt->seconds);
   if (run.speed < 1) {
     result.time += " " + slowedText(run.speed);
@@ -135,6 +137,8 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
       wrapText(bestText(summary), font, (kPanelWidth - 2 * kPanelPadding) / kPanelTextSize);
   if (run.speed < 1 && scene.attempt && scene.attempt->arrived)
     below.insert(below.begin(), "Your time: " + slowedText(run.speed));
+  if (scene.isTeam && scene.attempt && scene.attempt->arrived)
+    below.insert(below.begin(), "Together: " + finishText(scene.attempt->seconds));
   const std::size_t bestLines = below.size();
   for (std::string& line : wrapText(nextText(summary, font), font, (kPanelWidth - 2 * kPanelPadding) / kPanelTextSize))
     below.push_back(std::move(line));
@@ -146,7 +150,8 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
   glm::vec2 place = low + glm::vec2(kPanelPadding, 26);
   writer.left(scene.secondsLeft <= 0 ? "Time is up" : "Round over", place, kPanelTextSize, kBright);
   for (std::size_t i = 0; i < rows; ++i)
-    addResult(writer, *players[i], i + 1, place += glm::vec2(0, kPanelRowHeight), tripWidth, font);
+    addResult(writer, *players[i], scene.isTeam ? std::nullopt : std::optional(i + 1),
+              place += glm::vec2(0, kPanelRowHeight), tripWidth, font);
   if (more)
     writer.left("and " + std::to_string(players.size() - rows) + " more",
                 (place += glm::vec2(0, kPanelRowHeight)) + glm::vec2(32, 0), kPanelTextSize, kSoft);

@@ -13,10 +13,10 @@ constexpr Time kIdleInterval = std::chrono::milliseconds(80);
 
 }  // namespace
 
-void SendSchedule::addInput(Input input) {
+void SendSchedule::addInputs(const InputsByLocal& inputs) {
   hasNew_ = true;
-  changed_ = changed_ || input != last_;
-  last_ = input;
+  changed_ = changed_ || inputs != last_;
+  last_ = inputs;
 }
 
 bool SendSchedule::due(Time now, std::uint32_t end) const {
@@ -32,11 +32,22 @@ void SendSchedule::sent(Time now, std::uint32_t end) {
   sentEnd_ = end;
 }
 
-void InputSender::add(std::uint32_t tick, Input input) {
-  if (!first_) first_ = tick;
+void InputSender::add(std::uint32_t tick, const InputsByLocal& inputs) {
+  for (std::size_t local = 0; local < inputs.size(); ++local) {
+    if (!inputs[local].has(Input::kPresent))
+      firsts_[local].reset();
+    else if (!firsts_[local])
+      firsts_[local] = tick;
+  }
   end_ = tick + 1;
-  inputs_[tick % inputs_.size()] = input;
-  schedule_.addInput(input);
+  inputs_[tick % inputs_.size()] = inputs;
+  schedule_.addInputs(inputs);
+}
+
+std::vector<Input> InputSender::inputsOf(std::size_t local, std::uint32_t first, std::uint32_t end) const {
+  std::vector<Input> inputs;
+  for (std::uint32_t tick = first; tick < end; ++tick) inputs.push_back(inputs_[tick % inputs_.size()][local]);
+  return inputs;
 }
 
 std::optional<PlayerInputs> InputSender::takeMessage(Time now, const ConfirmedState& confirmed) {
@@ -44,10 +55,15 @@ std::optional<PlayerInputs> InputSender::takeMessage(Time now, const ConfirmedSt
   if (!schedule_.due(now, end)) return std::nullopt;
   schedule_.sent(now, end);
   PlayerInputs message{round_, confirmed.sync, confirmed.ticks, confirmed.hash, 0, {}};
-  message.first = std::max(confirmed.ticks, first_.value_or(0));
+  message.first = std::max(confirmed.ticks, firsts_[0].value_or(0));
   // A full state of an earlier tick can leave more unconfirmed inputs than a message may hold.
-  const auto count = std::min<std::uint32_t>(end - std::min(message.first, end), kMaxInputsPerMessage);
-  for (std::uint32_t i = 0; i < count; ++i) message.inputs.push_back(inputs_[(message.first + i) % inputs_.size()]);
+  const std::uint32_t until = message.first + std::min(end - std::min(message.first, end), kMaxInputsPerMessage);
+  message.inputs = inputsOf(0, message.first, until);
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local) {
+    if (!firsts_[local]) continue;
+    const std::uint32_t first = std::max(message.first, *firsts_[local]);
+    if (first < until) message.companions.push_back({local, first, inputsOf(local, first, until)});
+  }
   return message;
 }
 

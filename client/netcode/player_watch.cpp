@@ -23,6 +23,19 @@ void AttemptTime::observe(std::uint32_t ticks, const PlayerState& player) {
   }
 }
 
+PlayerState teamOf(const Game& game) {
+  PlayerState team;
+  const auto least = [](std::uint32_t a, std::uint32_t b) { return a == 0 || (b != 0 && b < a) ? b : a; };
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
+    const PlayerState& player = game.player(slot);
+    if (player.present == 0) continue;
+    team.startedAt = least(team.startedAt, player.startedAt);
+    team.finishTicks = least(team.finishTicks, player.finishTicks);
+    team.arrived = std::max(team.arrived, player.arrived);
+  }
+  return team;
+}
+
 void PlayerFlashes::observe(std::uint32_t slot, std::uint32_t ticks, const PlayerState& player) {
   if (slot >= players_.size()) players_.resize(slot + 1);
   Observed& observed = players_[slot];

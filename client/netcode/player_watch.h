@@ -30,6 +30,10 @@ class AttemptTime {
   bool arrived_ = false;
 };
 
+/// The players of a level for several as one, for AttemptTime: it starts with the first of them, and arrives with the
+/// first one, too.
+PlayerState teamOf(const Game& game);
+
 /// Brightness of the short flashes that mark players who land after a long fall or finish. Each flash belongs to the
 /// tick of its event: replaying ticks adds none, and it shows when the viewer's clock reaches that tick.
 class PlayerFlashes {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -8,11 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "client/netcode/input_sender.h"
 #include "platon/exact/point.h"
 #include "platon/game/game.h"
 #include "platon/game/input.h"
 #include "platon/physics/unfold.h"
 #include "protocol/time.h"
+#include "protocol/to_client.h"
 
 namespace platon {
 
@@ -60,13 +63,13 @@ class ErrorSmoothing {
   std::size_t count_ = 0;
 };
 
-/// Accuracy of the local player's prediction.
+/// Accuracy of the prediction of the local players.
 struct PredictionStatistics {
   std::uint32_t corrections = 0;
   std::int32_t maxSubunits = 0;    ///< largest correction: distance of old and new prediction along the surface
   std::int32_t lastSubunits = 0;   ///< last correction
-  std::uint32_t missedInputs = 0;  ///< ticks for which the server decided another local input than was predicted
-  std::uint32_t mispredicted = 0;  ///< ticks whose confirmed local position differs from the first prediction
+  std::uint32_t missedInputs = 0;  ///< local inputs other than which the server has decided
+  std::uint32_t mispredicted = 0;  ///< ticks of a local player whose confirmed position is not the one first predicted
   std::uint32_t confirmedTicks = 0;
 
   /// The counts gained since `before`; `maxSubunits` and `lastSubunits` stay those of `now`.
@@ -81,9 +84,9 @@ struct PredictionStatistics {
 };
 
 /// The two games of a client. The confirmed game runs in lockstep with the server, with confirmed inputs only. The
-/// predicted game is a copy of it advanced with the unconfirmed local inputs; the other players are assumed to keep
-/// their last confirmed input. Reconciliation replays it only if a confirmed input or state differs from the
-/// prediction.
+/// predicted game is a copy of it advanced with the unconfirmed inputs of the local players; the other players are
+/// assumed to keep their last confirmed input. Reconciliation replays it only if a confirmed input or state differs
+/// from the prediction.
 ///
 /// Ticks are calls of Game::advance in this round. Game::tick stops when the game is over; these do not.
 class Prediction {
@@ -93,13 +96,16 @@ class Prediction {
   /// Maximum work of these ticks. With more than 64 players, fewer ticks are predicted.
   static constexpr std::uint32_t kMaxWorkAhead = 16384;
 
-  /// `start`: the server's game after 0 ticks. `slot`: the local player's, below kMaxPlayers.
-  Prediction(const Game& start, std::uint32_t slot);
+  /// `start`: the server's game after 0 ticks. `slots`: of the local players, as LocalSlots::slots.
+  Prediction(const Game& start, const SlotsByLocal& slots);
+
+  /// Companions have come or left. Call `reconcile` after it.
+  void setSlots(const SlotsByLocal& slots);
 
   /// Whether `predict` may be called.
   bool mayPredict() const { return predictedTicks_ - confirmedTicks_ < maxAhead(); }
-  /// Predicts one tick with this local input.
-  void predict(Input local);
+  /// Predicts one tick with these local inputs. A local player that is not present in them keeps its confirmed input.
+  void predict(const InputsByLocal& local);
 
   /// Advances the confirmed game by the server's inputs for tick `confirmedTicks()`, by slot. At most kMaxPlayers.
   void confirm(std::span<const Input> inputs);
@@ -113,49 +119,58 @@ class Prediction {
   const Game& predicted() const { return predicted_; }
   std::uint32_t confirmedTicks() const { return confirmedTicks_; }
   std::uint32_t predictedTicks() const { return predictedTicks_; }
-  std::uint32_t slot() const { return slot_; }
+  /// Of the first local player.
+  std::uint32_t slot() const { return *slots_[0]; }
+  /// Of all local players.
+  const SlotsByLocal& slots() const { return slots_; }
+  /// Whether a local player has this slot.
+  bool isLocal(std::uint32_t slot) const { return std::find(slots_.begin(), slots_.end(), slot) != slots_.end(); }
   /// Last confirmed inputs, by slot. Slots beyond the end are absent.
   std::span<const Input> held() const { return held_; }
   /// Entities of the predicted world one tick before `predicted()`.
   std::span<const EntityState> predictedBefore() const { return predictedBefore_; }
-  /// Whether the local player is present in the confirmed game.
-  bool present() const;
+  /// Whether the first local player is present in the confirmed game.
+  bool present() const { return isPresent(slot()); }
 
-  /// The local input predicted for `tick`, which is in confirmedTicks() … predictedTicks() − 1.
-  Input localInput(std::uint32_t tick) const { return localInputs_[tick % kMaxAhead]; }
+  /// The local inputs predicted for `tick`, which is in confirmedTicks() … predictedTicks() − 1.
+  const InputsByLocal& localInputs(std::uint32_t tick) const { return localInputs_[tick % kMaxAhead]; }
 
   /// Work so far: ticks of both games, replayed ones included, each counted once per player. A player costs at most 50
   /// µs a tick, in usual levels about 1 µs.
   std::uint64_t work() const { return work_; }
   const PredictionStatistics& statistics() const { return statistics_; }
-  /// Offset to add to the local player's predicted position to hide corrections: subunits, in the player's own frame.
-  Point smoothing(Time now) const { return smoothing_.at(now); }
+  /// Offset to add to the predicted position of a local player to hide corrections: subunits, in its own frame.
+  Point smoothing(std::size_t local, Time now) const { return smoothing_[local].at(now); }
 
  private:
   std::uint32_t maxAhead() const;
-  std::uint32_t workOfTick() const;
-  void hold(std::span<const Input> inputs);
-  std::optional<Place> localPlace(const Game& game) const;
-  void countMisprediction();
-  void replay(std::uint32_t until);
-  void advancePredicted(Input local);
-  void correct(const Place& before, Time now);
+  using PlacesByLocal = std::array<std::optional<Place>, kMaxLocalPlayers>;
 
-  std::uint32_t slot_;
+  bool isPresent(std::uint32_t slot) const;
+  void hold(std::span<const Input> inputs);
+  void holdLocal(const InputsByLocal& local, std::vector<Input>& inputs) const;
+  PlacesByLocal localPlaces(const Game& game) const;
+  void countMissed(std::span<const Input> inputs);
+  void countMispredictions();
+  void replay(std::uint32_t until);
+  void advancePredicted(const InputsByLocal& local);
+  void correct(std::size_t local, const Place& before, const Place& after, Time now);
+
+  SlotsByLocal slots_;
   Game confirmed_;
   Game predicted_;
   std::uint32_t confirmedTicks_ = 0;
   std::uint32_t predictedTicks_ = 0;
-  bool stale_ = false;                                            // the confirmed game differs from the predicted one
-  std::array<Input, kMaxAhead> localInputs_{};                    // by tick modulo kMaxAhead
-  std::array<std::optional<Place>, kMaxAhead> firstPredicted_{};  // local position after the tick, likewise
-  std::vector<Input> held_;                                       // always contains slot_
-  std::uint32_t others_ = 0;                                      // players in held_, without slot_
+  bool stale_ = false;                                   // the confirmed game differs from the predicted one
+  std::array<InputsByLocal, kMaxAhead> localInputs_{};   // by tick modulo kMaxAhead
+  std::array<PlacesByLocal, kMaxAhead> firstPredicted_;  // local positions after the tick, likewise
+  std::vector<Input> held_;                              // always contains slots_
+  std::uint32_t players_ = 1;                            // local ones, and others in held_
   std::uint64_t work_ = 0;
   std::vector<Input> inputs_;  // scratch
   std::vector<EntityState> predictedBefore_;
   PredictionStatistics statistics_;
-  ErrorSmoothing smoothing_;
+  std::array<ErrorSmoothing, kMaxLocalPlayers> smoothing_;
 };
 
 }  // namespace platon

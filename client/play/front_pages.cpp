@@ -310,7 +310,7 @@ void FrontPages::showLevels() {
   menu_->setFocus(itemOfLevel(entries_, nextLevel()));
 }
 
-// Alone, a server skips a level for several players.
+// Alone, nobody finishes a level for several players.
 void FrontPages::choose(std::size_t level) {
   entries_[level].players > 1 ? showSeveralPlayers(level) : playFrom(level);
 }
@@ -318,7 +318,8 @@ void FrontPages::choose(std::size_t level) {
 void FrontPages::showSeveralPlayers(std::size_t level) {
   menu_->push([this, level] {
     beside_ = [level] { return level; };
-    return severalPlayersPage(entries_[level], {[this, level] { hostLevel(level); }, [this] { showJoin(); }});
+    return severalPlayersPage(entries_[level], {[this, level] { playFrom(level); }, [this, level] { hostLevel(level); },
+                                                [this] { showJoin(); }});
   });
 }
 

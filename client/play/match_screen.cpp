@@ -1,5 +1,6 @@
 #include "client/play/match_screen.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -23,7 +24,8 @@ MatchScreen::MatchScreen(GameDesk& desk, const MatchChoice& choice, MedalsOf med
 Next MatchScreen::handle(const WindowEvent& event) {
   if (const auto* const key = std::get_if<KeyEvent>(&event)) handleKey(*key);
   if (const auto* const pointer = std::get_if<PointerEvent>(&event)) handlePointer(*pointer);
-  if (std::holds_alternative<GamepadLost>(event) && desk_->interface.loseGamepad()) pages_.loseGamepad(match_);
+  const auto* const lost = std::get_if<GamepadLost>(&event);
+  if (lost != nullptr && desk_->interface.loseGamepad(lost->pad)) pages_.loseGamepad(match_);
   if (std::holds_alternative<FilesDropped>(event)) desk_->tell(kDropRefused);
   if (std::holds_alternative<CloseAsked>(event)) next_ = Quit();
   return std::exchange(next_, Stay());
@@ -33,7 +35,7 @@ void MatchScreen::handleKey(const KeyEvent& event) {
   const std::optional<Action> action = desk_->handle(event, desk_->menu.isOpen());
   desk_->menu.handle(event, desk_->view.font());
   if (event.kind == KeyEvent::Kind::kPress && action != Action::kToggleVote) skip_.takeBack();
-  if (action) perform(*action);
+  if (action) perform(*action, event.key);
 }
 
 // The press that closes the menu does not look round.
@@ -44,12 +46,14 @@ void MatchScreen::handlePointer(const PointerEvent& event) {
   if (inGame) mouseLook_.handle(event);
 }
 
-void MatchScreen::perform(Action action) {
+void MatchScreen::perform(Action action, Key key) {
   switch (action) {
     case Action::kOpenMenu:
       return pages_.showPause(match_);
     case Action::kToggleVote:
       return wishNext();
+    case Action::kJoin:
+      return tellJoin(key);
     case Action::kGoOn:
       return match_.alone() && match_.roundOver() ? match_.skipLevel() : void();
     case Action::kWatchNext:
@@ -70,6 +74,39 @@ void MatchScreen::perform(Action action) {
 
 void MatchScreen::wishNext() {
   if (!match_.alone() || skip_.wish(match_.losesNothing())) match_.skipLevel();
+}
+
+void MatchScreen::tellJoin(Key key) {
+  const std::string again = std::string(shownNameOf(key)) + ": it leaves";
+  switch (desk_->interface.deviceChange()) {
+    case DeviceChange::kJoined:
+      return desk_->tell((isOfGamepad(key) ? "Another player has this gamepad. " : secondKeysText()) + again);
+    case DeviceChange::kReturned:
+      return desk_->tell("The player whose gamepad was lost plays on. " + again);
+    case DeviceChange::kLeft:
+      return desk_->tell("A player has left");
+    case DeviceChange::kNone:
+      return desk_->tell("No more than four players fit on one machine");
+  }
+}
+
+std::string MatchScreen::secondKeysText() const {
+  const KeyHints keys(desk_->settings().secondKeys);
+  return "Another player has " + keys.run() + " and " + keys.of(Control::kUp) + ". ";
+}
+
+// Who joins with a device is to play, and whom the server does not let play has none. A name is told once it is
+// entered.
+void MatchScreen::followDevices() {
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local) {
+    const bool has = desk_->interface.devices().has(local);
+    const std::string& name = desk_->settings().companion(local).name;
+    if (joined_[local] && has && !match_.client().companions()[local])
+      desk_->interface.removeCompanion(local);
+    else if (has != joined_[local] || (has && !desk_->menu.isOpen()))
+      match_.setCompanion(local, has ? std::optional(name) : std::nullopt);
+    joined_[local] = desk_->interface.devices().has(local);
+  }
 }
 
 void MatchScreen::watch(const std::filesystem::path& file) {
@@ -110,6 +147,7 @@ bool MatchScreen::updateBehind(const Frame& /*frame*/) {
 // `away`: the player does not look at the game.
 void MatchScreen::advance(bool away) {
   if (away) mouseLook_.release();
+  followDevices();
   match_.update(
       away, [this, away](const Game& game, std::uint32_t slot) { return choose(game, slot, away); },
       desk_->settings().gameSpeed / 100);
@@ -121,10 +159,14 @@ void MatchScreen::advance(bool away) {
 
 Input MatchScreen::choose(const Game& game, std::uint32_t slot, bool away) {
   if (desk_->options.demo) return demo_.choose(game, slot);
-  const HeldKeys held = desk_->interface.takeHeld(away);
+  const SlotsByLocal slots = match_.slots();
+  const auto local = static_cast<std::uint32_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+  const HeldKeys held = desk_->interface.takeHeld(away, local);
   if (held != HeldKeys()) desk_->view.skip();
-  desk_->hints.observe(game, slot, looks_, desk_->settings());
-  return steering_.input(held, desk_->view.roll(), desk_->settings().controls);
+  if (local == 0) desk_->hints.observe(game, slot, looks_, desk_->settings());
+  const auto before = std::count_if(slots.begin(), slots.begin() + local, [](const auto& each) { return each; });
+  const double roll = desk_->view.roll(static_cast<std::size_t>(before));
+  return steering_[local].input(held, roll, desk_->settings().controls);
 }
 
 void MatchScreen::checkEnding() {
@@ -150,27 +192,40 @@ void MatchScreen::draw(const Frame& frame) {
   GameView& view = desk_->view;
   Settings& settings = desk_->settings();
   const bool inMenu = desk_->menu.isOpen();
-  std::optional<Scene> scene = match_.scene(settings);
-  if (scene) view.netGraph().add(meter_.sample(match_.client(), frame.now));
-  if (scene) spectator_.direct(*scene, desk_->interface.keyHints());
+  std::vector<Scene> seen = scenes();
+  Scene* const scene = seen.empty() ? nullptr : &seen.front();
+  if (scene != nullptr) view.netGraph().add(meter_.sample(match_.client(), frame.now));
+  if (seen.size() == 1) spectator_.direct(*scene, desk_->interface.keyHints());
   const HudStatus status = hudStatus(scene);
   view.setFlights(!inMenu);
   const LookInput look = inMenu ? LookInput() : mouseLook_.take(desk_->interface.look());
   looks_ = look.held && (look.direction != glm::dvec2(0) || look.turn != glm::dvec2(0));
   view.look(look);
   const auto draw = [&] {
-    view.draw(scene ? &*scene : nullptr, status, settings, desk_->menu.overlay(view.font(), true), frame.seconds);
+    const Overlay menu = desk_->menu.overlay(view.font(), true);
+    if (seen.size() > 1)
+      view.drawShared(seen, status, settings, menu, frame.seconds);
+    else
+      view.draw(scene, status, settings, menu, frame.seconds);
     desk_->present();  // a part of the time that the trial measures
   };
-  scene ? desk_->trial.draw(settings.quality, desk_->clock.now, finishDrawing, draw) : draw();
-  playSounds(scene ? &*scene : nullptr, status, frame.seconds);
+  scene != nullptr ? desk_->trial.draw(settings.quality, desk_->clock.now, finishDrawing, draw) : draw();
+  playSounds(scene, status, frame.seconds);
 }
 
-HudStatus MatchScreen::hudStatus(const std::optional<Scene>& scene) {
+// As each local player sees it, the first one's first.
+std::vector<Scene> MatchScreen::scenes() {
+  std::vector<Scene> all;
+  for (std::size_t local = 0; local < kMaxLocalPlayers; ++local)
+    if (std::optional<Scene> scene = match_.scene(desk_->settings(), local)) all.push_back(std::move(*scene));
+  return all;
+}
+
+HudStatus MatchScreen::hudStatus(const Scene* scene) {
   HudStatus status = match_.hudStatus(desk_->settings(), desk_->interface.helpShown());
   status.keys = desk_->interface.keyHints();
   status.hint = hint(status.summary.has_value());
-  if (scene && match_.leastSpeed() == 1) status.medals = medals(*scene);
+  if (scene != nullptr && match_.leastSpeed() == 1) status.medals = medals(*scene);
   status.underMenu = desk_->menu.isOpen() && !desk_->menu.standsAside();
   return status;
 }

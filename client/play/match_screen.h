@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
+#include <bitset>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/demo/demo.h"
 #include "client/lobby/shipped_levels.h"
@@ -42,14 +45,18 @@ class MatchScreen : public Screen {
 
   void handleKey(const KeyEvent& event);
   void handlePointer(const PointerEvent& event);
-  void perform(Action action);
+  void perform(Action action, Key key);
   void wishNext();
+  void tellJoin(Key key);
+  std::string secondKeysText() const;
+  void followDevices();
   void watch(const std::filesystem::path& file);
   void stopWatching(const ReplayEnd& end);
   void advance(bool away);
   Input choose(const Game& game, std::uint32_t slot, bool away);
   void checkEnding();
-  HudStatus hudStatus(const std::optional<Scene>& scene);
+  std::vector<Scene> scenes();
+  HudStatus hudStatus(const Scene* scene);
   std::string hint(bool roundOver) const;
   std::optional<MedalTimes> medals(const Scene& scene);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
@@ -63,7 +70,8 @@ class MatchScreen : public Screen {
   MatchPages pages_;
   bool sayAsked_ = false;
   Demo demo_{shippedWay};
-  Steering steering_;
+  std::array<Steering, kMaxLocalPlayers> steering_;  // by local number, as the next one
+  std::bitset<kMaxLocalPlayers> joined_;             // companions of which the match knows
   MouseLook mouseLook_;
   bool looks_ = false;  // the player turns the view, in the last frame
   Spectator spectator_;

@@ -77,7 +77,7 @@ Next ReplayScreen::handle(const WindowEvent& event) {
     if (play_.handle(*pointer, desk_->view, desk_->settings())) return Close{ReplayEnd{play_.file()}};
     desk_->menu.handle(*pointer, desk_->view.font());  // closed during a replay: it notes where the pointer is
   }
-  if (std::holds_alternative<GamepadLost>(event)) desk_->interface.loseGamepad();
+  if (const auto* const lost = std::get_if<GamepadLost>(&event)) desk_->interface.loseGamepad(lost->pad);
   if (const auto* const dropped = std::get_if<FilesDropped>(&event)) return drop(dropped->paths.front());
   if (std::holds_alternative<CloseAsked>(event)) return Quit();
   return Stay();

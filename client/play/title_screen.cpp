@@ -72,7 +72,7 @@ TitleScreen::TitleScreen(GameDesk& desk)
 Next TitleScreen::handle(const WindowEvent& event) {
   if (const auto* const key = std::get_if<KeyEvent>(&event)) handleKey(*key);
   if (const auto* const pointer = std::get_if<PointerEvent>(&event)) desk_->menu.handle(*pointer, desk_->view.font());
-  if (std::holds_alternative<GamepadLost>(event)) desk_->interface.loseGamepad();
+  if (const auto* const lost = std::get_if<GamepadLost>(&event)) desk_->interface.loseGamepad(lost->pad);
   if (const auto* const dropped = std::get_if<FilesDropped>(&event)) watch(dropped->paths.front());
   if (std::holds_alternative<CloseAsked>(event)) next_ = Quit();
   return std::exchange(next_, Stay());

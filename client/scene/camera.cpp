@@ -159,11 +159,11 @@ glm::dmat4 Camera::viewProjection() const {
   return shifted * glm::perspective(vertical, aspect, nearest, farthest) * view();
 }
 
-double Camera::rollOf(const Pose& player) const {
+double rollIn(const ViewPoint& view, const Pose& player) {
   const glm::dvec3 playerRight = glm::cross(player.up, player.normal);
-  const glm::dvec3 back = base_.back();
+  const glm::dvec3 back = view.back();
   const glm::dvec3 seen = playerRight - back * glm::dot(playerRight, back);
-  return glm::length(seen) < 1e-9 ? 0 : angleAbout(back, base_.right(), seen);
+  return glm::length(seen) < 1e-9 ? 0 : angleAbout(back, view.right(), seen);
 }
 
 }  // namespace platon

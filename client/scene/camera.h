@@ -15,6 +15,9 @@
 
 namespace platon {
 
+/// Angle from the right of a view to that of the player, seen along its line of sight, radians counter-clockwise.
+double rollIn(const ViewPoint& view, const Pose& player);
+
 /// The camera stands above the player, whose right is level on the screen, and looks nearly along the normal of the
 /// face (cameraTarget); near an edge it turns to the next face. Where the player stops, floors become level. It follows
 /// the player with a delay, and leads a player who runs on; the middle of the picture is a little nearer to the centre
@@ -68,9 +71,8 @@ class Camera {
   /// Transforms from space to OpenGL's clip space.
   glm::dmat4 viewProjection() const;
 
-  /// Angle from the screen's right to the player's right, seen along the line of sight, radians counter-clockwise;
-  /// after `set` in the middle part of a face at most 0.01. `show` does not affect it.
-  double rollOf(const Pose& player) const;
+  /// `rollIn` of the view; after `set` in the middle part of a face at most 0.01. `show` does not affect it.
+  double rollOf(const Pose& player) const { return rollIn(base_, player); }
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }

@@ -148,6 +148,9 @@ class GameCamera {
   /// Whether the last `move` has cut to another view of a camera that stands still and fades, since the last call.
   bool takeFadingCut() { return std::exchange(fadingCut_, false); }
 
+  /// Shows another view until the next `move`.
+  void show(const ViewPoint& view) { camera_.show(view); }
+
   /// The camera that sees the picture.
   const Camera& camera() const { return camera_; }
 

@@ -148,13 +148,24 @@ BallAppearance appearanceOfSlot(std::uint32_t slot) {
   return {slot % kBallColours, static_cast<BallPattern>((slot / kBallColours + slot % kBallColours) % kBallPatterns)};
 }
 
-BallAppearance appearanceOf(std::uint32_t slot, std::optional<std::uint32_t> localSlot, const BallChoice& own) {
-  const BallAppearance appearance = appearanceOfSlot(slot);
-  if (!localSlot) return appearance;
-  const BallAppearance bySlot = appearanceOfSlot(*localSlot);
-  const BallAppearance chosen{own.colour.value_or(bySlot.colour), own.pattern.value_or(bySlot.pattern)};
-  if (slot == *localSlot) return chosen;
-  return appearance == chosen ? bySlot : appearance;
+BallAppearance appearanceOf(std::uint32_t slot, std::span<const OwnBall> own) {
+  std::vector<BallAppearance> owners;
+  for (const OwnBall& ball : own) owners.push_back(appearanceOfSlot(ball.slot));
+  BallAppearance other = appearanceOfSlot(slot);
+  const BallAppearance* asked = &other;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i].slot == slot) asked = &owners[i];
+    const BallAppearance before = owners[i];
+    const BallAppearance bySlot = appearanceOfSlot(own[i].slot);
+    const BallChoice& choice = own[i].choice;
+    const BallAppearance chosen{choice.colour.value_or(bySlot.colour), choice.pattern.value_or(bySlot.pattern)};
+    if (!choice.colour && !choice.pattern) continue;
+    for (BallAppearance& each : owners)
+      if (each == chosen) each = before;
+    if (other == chosen) other = before;
+    owners[i] = chosen;
+  }
+  return *asked;
 }
 
 Colour playerColour(std::uint32_t slot) { return ballColour(appearanceOfSlot(slot).colour); }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "levels/drawing/colour.h"
@@ -61,9 +62,15 @@ struct BallChoice {
   std::optional<BallPattern> pattern{};
 };
 
-/// The appearance of a player as the local player sees it: its own as it has chosen. Who would look the same has the
-/// appearance of the local player's slot instead.
-BallAppearance appearanceOf(std::uint32_t slot, std::optional<std::uint32_t> localSlot, const BallChoice& own);
+/// What a local player has chosen for its ball.
+struct OwnBall {
+  std::uint32_t slot = 0;
+  BallChoice choice;
+};
+
+/// The appearance of a player as the local players see it: their own as they have chosen, the first one first. Who
+/// would look the same as one of them has instead what that one had before.
+BallAppearance appearanceOf(std::uint32_t slot, std::span<const OwnBall> own);
 
 /// Colour of a player who has chosen none.
 Colour playerColour(std::uint32_t slot);

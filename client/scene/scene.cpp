@@ -28,32 +28,41 @@ void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
   pose.normal = normal;
 }
 
-PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& time, std::uint32_t slot, bool local) {
+PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& time, std::uint32_t slot, Point offset) {
   PlayerDrawing player;
   player.slot = slot;
   player.pose = poseBetween(source.stage->mesh, time);
-  if (local && source.localOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.localOffset));
+  if (offset != Point()) shift(player.pose, source.stage->mesh, toUnits(offset));
   if (slot < source.flashes.size()) player.flash = static_cast<float>(source.flashes[slot]);
-  const BallAppearance appearance = appearanceOf(slot, source.localSlot, source.ownBall);
+  const BallAppearance appearance = appearanceOf(slot, source.ownBalls);
   player.colour = ballColour(appearance.colour);
   player.pattern = appearance.pattern;
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
   if (slot < source.roundTrips.size()) player.roundTripMs = source.roundTrips[slot];
-  player.local = local;
+  player.local = slot == source.localSlot;
   if (time.now.finishTicks != 0) player.finishSeconds = secondsOf(time.now.finishTicks);
   return player;
 }
 
 void addPlayers(Scene& scene, const SceneSource& source) {
-  const auto add = [&](const InterpolatedPlayer& time, std::uint32_t slot, bool local) {
-    if (time.before.present && time.now.present) scene.players.push_back(drawingOf(source, time, slot, local));
+  const auto add = [&](const InterpolatedPlayer& time, std::uint32_t slot, Point offset) {
+    const bool present = time.before.present && time.now.present;
+    if (present) scene.players.push_back(drawingOf(source, time, slot, offset));
+    return present;
   };
-  for (std::uint32_t slot = 0; slot < source.others.now.size(); ++slot) {
-    if (slot != source.localSlot) add(source.others.at(slot), slot, false);
-  }
+  const auto isCompanion = [&](std::uint32_t slot) {
+    return std::any_of(source.companions.begin(), source.companions.end(),
+                       [slot](const CompanionSource& companion) { return companion.slot == slot; });
+  };
+  for (std::uint32_t slot = 0; slot < source.others.now.size(); ++slot)
+    if (slot != source.localSlot && !isCompanion(slot)) add(source.others.at(slot), slot, {});
+  for (const CompanionSource& companion : source.companions)
+    if (add(companion.player, companion.slot, companion.offset)) scene.players.back().companion = true;
+  std::sort(scene.players.begin(), scene.players.end(),
+            [](const PlayerDrawing& a, const PlayerDrawing& b) { return a.slot < b.slot; });
   if (source.localSlot)
-    add(source.local ? *source.local : source.others.at(*source.localSlot), *source.localSlot, true);
+    add(source.local ? *source.local : source.others.at(*source.localSlot), *source.localSlot, source.localOffset);
 }
 
 // The local player's own ghost is white, the others have colours that the first players do not have.
@@ -94,6 +103,7 @@ Scene makeScene(const SceneSource& source) {
   scene.timed = source.timed;
   scene.over = source.roundOver || (source.timed && source.game->over());
   const std::uint32_t needed = source.game->level().players;
+  scene.isTeam = needed > 1;
   const bool tooFew = !scene.players.empty() && scene.players.size() < needed;  // at first, nobody has appeared yet
   if (source.othersCanJoin && tooFew && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {

@@ -25,6 +25,13 @@ struct GhostSource {
   bool own = false;  ///< a run of the local player
 };
 
+/// Another local player than the one whose scene it is.
+struct CompanionSource {
+  std::uint32_t slot = 0;
+  InterpolatedPlayer player;  ///< from the predicted game
+  Point offset;               ///< as SceneSource::localOffset
+};
+
 /// Input of makeScene. `stage` and `game` must be set.
 struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
@@ -32,19 +39,20 @@ struct SceneSource {
   bool roundOver = false;                   ///< the server has ended the round
   bool timed = true;                        ///< the round ends when the clock of the game has run out
   double fraction = 1;                      ///< elapsed part of the last tick of `game`, 0 … 1
-  InterpolatedPlayers others;               ///< from the interpolation buffer; may include the local player
+  InterpolatedPlayers others;               ///< from the interpolation buffer; may include local players
+  std::vector<CompanionSource> companions;
   std::optional<std::uint32_t> localSlot;
   std::optional<InterpolatedPlayer> local;  ///< from the predicted game; if unset, taken from `others`
   Point localOffset;  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
   std::span<const std::string> names;                        ///< by slot, UTF-8
   std::span<const std::optional<std::uint32_t>> roundTrips;  ///< by slot, milliseconds
   std::span<const double> flashes;  ///< by slot, 0 … 1: brightness of the flash after an event
-  AttemptTime attempt;              ///< of the local player
+  AttemptTime attempt;              ///< of the local player; in a level for several players, of all of them
   bool needsRestart = false;        ///< EndlessFall::needsHint of the local player
   bool longFall = false;            ///< EndlessFall::isLong of the local player
   bool othersCanJoin = false;       ///< so the scene tells how many players are missing
   std::vector<GhostSource> ghosts;
-  BallChoice ownBall;  ///< how the local player wants its ball
+  std::vector<OwnBall> ownBalls;  ///< how the local players want their balls, the first one first
 };
 
 /// One player as it is drawn, once even if it has several instances.
@@ -55,7 +63,8 @@ struct PlayerDrawing {
   BallPattern pattern = BallPattern::kPlain;
   std::string number;  ///< slot + 1
   std::string name;
-  bool local = false;
+  bool local = false;                        ///< the one whose scene it is
+  bool companion = false;                    ///< another local player
   float flash = 0;                           ///< brightness of the flash after an event, 0 … 1
   float opacity = 1;                         ///< below 1: a ghost
   std::optional<std::uint32_t> roundTripMs;  ///< to the server; nothing: not known
@@ -63,7 +72,7 @@ struct PlayerDrawing {
   std::optional<double> finishSeconds;       ///< shortest time of an attempt to the goal in this round
 };
 
-/// The local player's attempt to reach the goal.
+/// The attempt to reach the goal: of the local player, or of all players of a level for several.
 struct AttemptDrawing {
   double seconds = 0;    ///< since its first input, up to the goal
   bool arrived = false;  ///< the time stands still
@@ -82,6 +91,7 @@ struct Scene {
   double secondsLeft = 0;  ///< of the round, if it is timed
   bool timed = true;       ///< the round has a time limit
   std::optional<AttemptDrawing> attempt;  ///< unset without a local player
+  bool isTeam = false;                    ///< the level is for several players, who reach its goal together
   bool needsRestart = false;              ///< the local player will not land: it must go back to the start
   bool longFall = false;                  ///< the local player falls over edge after edge: it is seen from afar
   std::uint32_t neededPlayers = 0;        ///< how many the level needs; 0: enough are present, or no others can join

@@ -145,6 +145,11 @@ std::optional<ServerAddress> NetworkClient::next() const {
   return told ? std::optional(parseServerAddress(session_->ending()->next)) : std::nullopt;
 }
 
+void NetworkClient::setCompanion(std::uint32_t local, const std::optional<std::string>& name) {
+  memory_.companions[local] = name;
+  if (is<InSession>()) session_->setCompanion(local, name);
+}
+
 void NetworkClient::toggleVote() {
   if (is<InSession>()) session_->toggleVote();
 }

@@ -50,7 +50,14 @@ class NetworkClient {
   /// Wishes the next level, or takes this wish back (Session::toggleVote). No effect without a session.
   void toggleVote();
   /// Says something to all players (Session::say). Returns false without a session.
-  bool say(const Chat& chat, Time now) { return is<InSession>() && session_->say(chat, now); }
+  bool say(const Chat& chat, Time now, std::uint32_t local = 0) {
+    return is<InSession>() && session_->say(chat, now, local);
+  }
+  /// Another player of this program joins, takes another name, or leaves (Session::setCompanion), now or as soon as
+  /// there is a session.
+  void setCompanion(std::uint32_t local, const std::optional<std::string>& name);
+  /// Who is to play besides the first local player.
+  const NamesByLocal& companions() const { return is<InSession>() ? session_->companions() : memory_.companions; }
   /// Leaves the match. Keep calling `update` until `closed`. Closes at once if there is no session.
   void leave();
 

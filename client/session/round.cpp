@@ -17,23 +17,28 @@ std::optional<std::vector<std::uint8_t>> RoundExchange::receive(const StateChunk
   return bytes;
 }
 
-std::optional<Input> RoundExchange::choose(std::uint32_t tick, const std::function<Input()>& buttons) {
-  if (tick < clock_.firstInput()) return std::nullopt;
-  Input input = buttons();
-  input.buttons |= Input::kPresent;
+InputsByLocal RoundExchange::choose(std::uint32_t tick, const std::function<InputsByLocal()>& inputs) {
+  if (tick < clock_.firstInput()) return {};
+  const InputsByLocal chosen = inputs();
   clock_.inputChosen(tick);
-  inputSender_.add(tick, input);
-  return input;
+  inputSender_.add(tick, chosen);
+  return chosen;
 }
 
-Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead,
+Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, const SlotsByLocal& slots, double lead,
              ConfirmedObserver* observer)
     : exchange_(id, lead),
-      prediction_(Game(level), slot),
+      prediction_(Game(level), slots),
       hash_(shortHash(prediction_.confirmed().hash())),
       desyncDetector_(id, prediction_.confirmed()),
       observer_(observer) {
-  if (observer_ != nullptr) observer_->began(prediction_.confirmed(), slot);
+  if (observer_ != nullptr) observer_->began(prediction_.confirmed(), prediction_.slot());
+}
+
+void Round::setSlots(const SlotsByLocal& slots) {
+  for (std::size_t local = 0; local < slots.size(); ++local)
+    if (slots[local] != prediction_.slots()[local]) attempts_[local] = Attempt();
+  prediction_.setSlots(slots);
 }
 
 void Round::receive(const ConfirmedTicks& message, Time now) {
@@ -67,7 +72,7 @@ bool Round::applyTicks(const ConfirmedTicks& message) {
 void Round::observeOthers() {
   const Game& game = prediction_.confirmed();
   for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
-    if (slot != prediction_.slot()) flashes_.observe(slot, prediction_.confirmedTicks(), game.player(slot));
+    if (!prediction_.isLocal(slot)) flashes_.observe(slot, prediction_.confirmedTicks(), game.player(slot));
   }
 }
 
@@ -107,28 +112,38 @@ void Round::advance(Time now, const Controls& controls) {
   interpolationBuffer_.update(now);
   prediction_.reconcile(now);
   exchange_.update(now, prediction_.predictedTicks());
-  const std::function<Input()> buttons = [&] {
-    Input input = controls(prediction_.predicted(), prediction_.slot());
-    if (endlessFall_.needsRestart()) input.buttons |= Input::kRestart;
-    return input;
-  };
+  const std::function<InputsByLocal()> inputs = [&] { return buttons(controls); };
+  // Before the first local input the server keeps applying the held one: a resumed player is present already.
   while (prediction_.mayPredict() && exchange_.isDue(prediction_.predictedTicks())) {
-    // Before the first local input the server keeps applying the held one: a resumed player is present already.
-    const Input held = prediction_.held()[prediction_.slot()];
-    prediction_.predict(exchange_.choose(prediction_.predictedTicks(), buttons).value_or(held));
+    prediction_.predict(exchange_.choose(prediction_.predictedTicks(), inputs));
     observeLocal();
   }
   workLimit_ = prediction_.work() + kMaxWorkConfirmed;
 }
 
+InputsByLocal Round::buttons(const Controls& controls) const {
+  InputsByLocal inputs;
+  for (std::size_t local = 0; local < inputs.size(); ++local) {
+    const std::optional<std::uint32_t>& slot = prediction_.slots()[local];
+    if (!slot) continue;
+    inputs[local] = controls(prediction_.predicted(), *slot);
+    inputs[local].buttons |= Input::kPresent;
+    if (attempts_[local].fall.needsRestart()) inputs[local].buttons |= Input::kRestart;
+  }
+  return inputs;
+}
+
 void Round::observeLocal() {
-  const std::uint32_t slot = prediction_.slot();
   const Game& game = prediction_.predicted();
-  if (slot >= game.slots()) return;
   const std::uint32_t ticks = prediction_.predictedTicks();
-  flashes_.observe(slot, ticks, game.player(slot));
-  endlessFall_.observe(ticks, game, slot);
-  attemptTime_.observe(ticks, game.player(slot));
+  teamTime_.observe(ticks, teamOf(game));
+  for (std::size_t local = 0; local < attempts_.size(); ++local) {
+    const std::optional<std::uint32_t>& slot = prediction_.slots()[local];
+    if (!slot || *slot >= game.slots()) continue;
+    flashes_.observe(*slot, ticks, game.player(*slot));
+    attempts_[local].fall.observe(ticks, game, *slot);
+    attempts_[local].time.observe(ticks, game.player(*slot));
+  }
 }
 
 std::optional<PlayerInputs> Round::takeMessage(Time now) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,8 +24,8 @@
 
 namespace platon {
 
-/// Returns the input of `slot` for the next tick of `predicted`. Called once per tick. When the player needs a restart
-/// (EndlessFall), the round presses it too.
+/// Returns the input of the local player in `slot` for the next tick of `predicted`. Called once per tick for each
+/// local player. When the player needs a restart (EndlessFall), the round presses it too.
 using Controls = std::function<Input(const Game& predicted, std::uint32_t slot)>;
 
 /// Desyncs and resyncs of a client.
@@ -33,7 +35,7 @@ struct RoundStatistics {
 };
 
 /// What a client exchanges with the server in one round, whether it has the game or not: it takes the messages of the
-/// round, chooses each local input when its tick is due, and creates the messages with them.
+/// round, chooses the local inputs when their tick is due, and creates the messages with them.
 class RoundExchange {
  public:
   /// `lead`: initial number of ticks ahead of the newest tick received.
@@ -48,13 +50,13 @@ class RoundExchange {
   /// Handles a chunk of a full state. Returns the state if the chunk completes it.
   std::optional<std::vector<std::uint8_t>> receive(const StateChunk& chunk);
 
-  /// Advances the clock to `now`. `next`: the first tick without a local input.
+  /// Advances the clock to `now`. `next`: the first tick without local inputs.
   void update(Time now, std::uint32_t next) { clock_.update(now, next); }
-  /// Whether the input for `tick` must have been chosen by now.
+  /// Whether the inputs for `tick` must have been chosen by now.
   bool isDue(std::uint32_t tick) const { return clock_.reaches(tick); }
-  /// The local input for `tick`, which is due and is sent with the next messages: what `buttons` returns. Nothing for
-  /// ticks before the first with a local input.
-  std::optional<Input> choose(std::uint32_t tick, const std::function<Input()>& buttons);
+  /// The local inputs for `tick`, which are due and are sent with the next messages: what `inputs` returns. Nobody is
+  /// present in ticks before the first with local inputs.
+  InputsByLocal choose(std::uint32_t tick, const std::function<InputsByLocal()>& inputs);
 
   /// Makes the next message due at once.
   void sendSoon() { inputSender_.sendSoon(); }
@@ -74,10 +76,13 @@ class RoundExchange {
 /// server, predicts ahead with the inputs of its RoundExchange, and notes what is drawn of the players.
 class Round {
  public:
-  /// `lead`: initial number of ticks that the prediction is ahead of the newest tick received.
-  /// `observer` follows the confirmed game and must outlive the round; null: none.
-  Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead,
+  /// `slots`: of the local players. `lead`: initial number of ticks that the prediction is ahead of the newest tick
+  /// received. `observer` follows the confirmed game and must outlive the round; null: none.
+  Round(std::uint32_t id, const std::shared_ptr<const Level>& level, const SlotsByLocal& slots, double lead,
         ConfirmedObserver* observer = nullptr);
+
+  /// Companions have come or left.
+  void setSlots(const SlotsByLocal& slots);
 
   std::uint32_t id() const { return exchange_.id(); }
   const Prediction& prediction() const { return prediction_; }
@@ -85,12 +90,14 @@ class Round {
   const PredictionClock& clock() const { return exchange_.clock(); }
   /// Players of the confirmed game for drawing the others.
   const InterpolationBuffer& interpolationBuffer() const { return interpolationBuffer_; }
-  /// Flashes by tick: of the confirmed game for the others, of the predicted game for the local player.
+  /// Flashes by tick: of the confirmed game for the others, of the predicted game for the local players.
   const PlayerFlashes& flashes() const { return flashes_; }
-  /// Of the local player in the predicted game.
-  const EndlessFall& endlessFall() const { return endlessFall_; }
-  const AttemptTime& attemptTime() const { return attemptTime_; }
-  /// Position between two predicted ticks, for drawing the local player: 0 at `prediction().predictedBefore()` … 1 at
+  /// Of a local player in the predicted game.
+  const EndlessFall& endlessFall(std::size_t local = 0) const { return attempts_[local].fall; }
+  const AttemptTime& attemptTime(std::size_t local = 0) const { return attempts_[local].time; }
+  /// Of all players in the predicted game, as one (teamOf).
+  const AttemptTime& teamTime() const { return teamTime_; }
+  /// Position between two predicted ticks, for drawing the local players: 0 at `prediction().predictedBefore()` … 1 at
   /// `prediction().predicted()`.
   double predictedFraction() const;
 
@@ -115,18 +122,25 @@ class Round {
   std::optional<PlayerInputs> takeMessage(Time now);
 
  private:
+  // Of a local player.
+  struct Attempt {
+    EndlessFall fall;
+    AttemptTime time;
+  };
+
   void restore(const StateChunk& last, std::span<const std::uint8_t> bytes);
   bool applyTicks(const ConfirmedTicks& message);
   void observeOthers();
   void observeLocal();
+  InputsByLocal buttons(const Controls& controls) const;
   void checkHash(std::uint32_t serverHash);
 
   RoundExchange exchange_;
   Prediction prediction_;
   InterpolationBuffer interpolationBuffer_;
   PlayerFlashes flashes_;
-  EndlessFall endlessFall_;
-  AttemptTime attemptTime_;
+  std::array<Attempt, kMaxLocalPlayers> attempts_;  // by local number
+  AttemptTime teamTime_;
   std::uint8_t sync_ = 0;   // of the last full state taken
   std::uint32_t hash_ = 0;  // short hash of the confirmed game
   DesyncDetector desyncDetector_;

@@ -28,6 +28,7 @@ RoundStatistics sum(const RoundStatistics& a, const RoundStatistics& b) {
 Session::Session(const std::string& name, Time now, Memory memory)
     : token_(memory.token),
       observer_(std::move(memory.observer)),
+      companions_(std::move(memory.companions)),
       levels_(std::move(memory.levels), std::move(memory.store)),
       dialogue_({kRulesVersion, name, token_, levels_.announced()}, now),
       talk_(now),
@@ -48,7 +49,51 @@ void Session::handle(const Welcome& message, Time now) {
   lead_ = *lead;
   talk_.setSlots(message.maxPlayers);
   levels_.expectFirst(message.levelHash, work_);
+  slots_ = {message.slot};
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local)
+    if (companions_[local]) sendCompanion(local);
   startRound({message.round, message.levelHash});
+}
+
+void Session::setCompanion(std::uint32_t local, const std::optional<std::string>& name) {
+  if (ending() || companions_[local] == name) return;
+  companions_[local] = name;
+  if (welcome()) sendCompanion(local);
+}
+
+void Session::sendCompanion(std::uint32_t local) {
+  const std::optional<std::string>& name = companions_[local];
+  dialogue_.send(Companion{local, name.has_value(), name.value_or(std::string())}, true);
+  asked_.push_back(local);
+}
+
+void Session::handle(const LocalSlots& message, Time now) {
+  const auto isOfMatch = [this](const std::optional<std::uint32_t>& slot) {
+    return !slot || *slot < welcome()->maxPlayers;
+  };
+  const bool isValid = welcome() && message.slots[0] == welcome()->slot &&
+                       std::all_of(message.slots.begin(), message.slots.end(), isOfMatch);
+  if (!isValid) return dialogue_.end({"protocol error: the server gives slots that there are not", true});
+  const bool removed = forgetRemoved(message);
+  slots_ = message.slots;
+  if (round_) round_->setSlots(slots_);
+  if (!removed && !asked_.empty()) {
+    const std::uint32_t local = asked_.front();
+    asked_.pop_front();
+    if (!message.reason.empty() && !slots_[local]) companions_[local].reset();
+  }
+  if (!message.reason.empty()) talk_.receive(Notice{message.reason}, now);
+}
+
+// Whether the message tells that companions were removed: otherwise it answers the oldest request.
+bool Session::forgetRemoved(const LocalSlots& message) {
+  bool removed = false;
+  for (std::size_t local = 1; local < slots_.size(); ++local) {
+    if (message.reason.empty() || !slots_[local] || message.slots[local] || !companions_[local]) continue;
+    companions_[local].reset();
+    removed = true;
+  }
+  return removed;
 }
 
 void Session::handle(const Refused& message, Time) { dialogue_.end(message); }
@@ -69,7 +114,7 @@ void Session::startRound(RoundStart start) {
   if (level) {
     work_.addMessage();
     pendingRound_.reset();
-    round_.emplace(start.round, level, welcome()->slot, lead_, observer_.get());
+    round_.emplace(start.round, level, slots_, lead_, observer_.get());
   } else {
     pendingRound_ = start;
     requestLevel(start.levelHash);
@@ -165,9 +210,9 @@ void Session::toggleVote() {
   dialogue_.send(Vote{round_->id(), wishesNext_}, true);
 }
 
-bool Session::say(const Chat& chat, Time now) {
-  if (ending() || !welcome() || !talk_.maySay(now)) return false;
-  dialogue_.send(LocalChat{0, chat}, true);
+bool Session::say(const Chat& chat, Time now, std::uint32_t local) {
+  if (ending() || !welcome() || !talk_.maySay(local, now)) return false;
+  dialogue_.send(LocalChat{local, chat}, true);
   return true;
 }
 
@@ -176,7 +221,7 @@ const RoundEnd* Session::roundEnd() const {
 }
 
 Session::Memory Session::memory() const {
-  return {token_, levels_.levels(), predictionStatistics(), roundStatistics(), levels_.store(), observer_};
+  return {token_, companions_, levels_.levels(), predictionStatistics(), roundStatistics(), levels_.store(), observer_};
 }
 
 LinkStatistics Session::linkStatistics() const { return dialogue_.linkStatistics(round_ ? &round_->clock() : nullptr); }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +22,9 @@
 
 namespace platon {
 
+/// Names of the companions by local number; nothing: there is none. The one of local number 0 is never set.
+using NamesByLocal = std::array<std::optional<std::string>, kMaxLocalPlayers>;
+
 /// The client's side of a match over one connection, from Hello to Bye: each message goes to the part that it concerns,
 /// and a round begins as soon as its level is known. A session has no socket and no clock: the caller passes received
 /// messages and the time, and takes the messages to send.
@@ -27,7 +32,8 @@ class Session {
  public:
   /// State that the next session with the same server continues with.
   struct Memory {
-    std::optional<SessionToken> token;  ///< identifies the player to resume; without one it cannot be resumed
+    std::optional<SessionToken> token;  ///< identifies the players to resume; without one they cannot be resumed
+    NamesByLocal companions;            ///< who plays besides the player of Hello
     std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
     PredictionStatistics prediction;
     RoundStatistics rounds;
@@ -49,9 +55,14 @@ class Session {
   /// Wishes that the next level follows at once, or takes this wish back. The wish ends with the round and with the
   /// session. No effect without a round, and when it is over.
   void toggleVote();
-  /// Says a text or an emote to all players, as soon as the server passes it on. `chat`: isChat. Returns false, without
-  /// effect, before Welcome, after the end, and when the server would drop it because this client has said too much.
-  bool say(const Chat& chat, Time now);
+  /// A local player says a text or an emote to all players, as soon as the server passes it on. `chat`: isChat. Returns
+  /// false, without effect, before Welcome, after the end, and when the server would drop it because this client has
+  /// said too much.
+  bool say(const Chat& chat, Time now, std::uint32_t local = 0);
+  /// A companion with this name (Hello::name) is to play under a local number from 1 on, or takes the name; nothing: it
+  /// leaves. It plays once `slots` has it; if the server refuses it, takeNotice tells why. It comes again with each
+  /// session that resumes this one. No effect after the end.
+  void setCompanion(std::uint32_t local, const std::optional<std::string>& name);
   /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
   /// Ends the session because its connection was lost.
@@ -63,8 +74,12 @@ class Session {
   const std::optional<SessionEnding>& ending() const { return dialogue_.ending(); }
   Memory memory() const;
 
-  /// Local slot and server name; empty until the server has accepted the client.
+  /// Slot of the first local player and server name; empty until the server has accepted the client.
   const std::optional<Welcome>& welcome() const { return dialogue_.welcome(); }
+  /// Of all local players; none before Welcome.
+  const SlotsByLocal& slots() const { return slots_; }
+  /// Who is to play besides the first local player.
+  const NamesByLocal& companions() const { return companions_; }
   /// The current round; null until its level has been received.
   const Round* round() const { return round_ ? &*round_ : nullptr; }
   /// How the current round ended and what comes next; null while the server has not ended it. The server can do so
@@ -72,13 +87,14 @@ class Session {
   const RoundEnd* roundEnd() const;
   /// How many players wish the next level in this round. Without `votes`, `voters` means nothing.
   const VoteCount& voteCount() const { return voteCount_; }
-  /// Whether the player of this client wishes it.
+  /// Whether the players of this client wish it.
   bool wishesNext() const { return wishesNext_; }
   /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return talk_.names(); }
   /// Round trip between the server and the player of a slot (Talk::roundTripMs).
   std::optional<std::uint32_t> roundTripMs(std::uint32_t slot, Time now) const { return talk_.roundTripMs(slot, now); }
-  /// The newest text of the server's operator, which a player can see; each is returned once.
+  /// The newest text of the server, which a player can see: of its operator, or why it refuses a companion. Each is
+  /// returned once.
   std::optional<std::string> takeNotice() { return talk_.takeNotice(); }
   /// What players have said, oldest first; each is returned once. At most Talk::kMaxChats are kept.
   std::vector<PlayerChat> takeChats() { return talk_.takeChats(); }
@@ -100,8 +116,11 @@ class Session {
   void handle(const StateChunk& message, Time now);
   void handle(const VoteCount& message, Time now);
   void handle(const RoundEnd& message, Time now);
+  void handle(const LocalSlots& message, Time now);
   void handle(const auto& message, Time now) { talk_.receive(message, now); }
 
+  void sendCompanion(std::uint32_t local);
+  bool forgetRemoved(const LocalSlots& message);
   void startRound(RoundStart start);
   void closeRound();
   void requestLevel(std::uint64_t hash);
@@ -110,6 +129,9 @@ class Session {
 
   std::optional<SessionToken> token_;
   std::shared_ptr<ConfirmedObserver> observer_;  // null: none
+  NamesByLocal companions_;
+  SlotsByLocal slots_;
+  std::deque<std::uint32_t> asked_;  // local numbers of the requests that are not answered yet, oldest first
   KnownLevels levels_;
   Dialogue dialogue_;
   Talk talk_;

@@ -6,7 +6,7 @@
 
 namespace platon {
 
-Talk::Talk(Time now) : budget_(kChatsPerSecond, kChatBurst, now) {}
+Talk::Talk(Time now) : budgets_(kMaxLocalPlayers, TokenBucket(kChatsPerSecond, kChatBurst, now)) {}
 
 void Talk::receive(const Roster& message, Time) {
   for (const RosterEntry& entry : message.entries) {

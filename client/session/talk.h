@@ -33,10 +33,9 @@ class Talk {
   void receive(const RoundTrips& message, Time now);
   void receive(const Notice& message, Time now);
   void receive(const PlayerChat& message, Time now);
-  void receive(const LocalSlots&, Time) {}
 
-  /// Takes one text or emote from the budget of this client. False when the server would drop it.
-  bool maySay(Time now) { return budget_.take(1, now); }
+  /// Takes one text or emote from the budget of a local player. False when the server would drop it.
+  bool maySay(std::uint32_t local, Time now) { return budgets_[local].take(1, now); }
 
   /// By slot; an empty name means a free slot.
   std::span<const std::string> names() const { return names_; }
@@ -54,7 +53,7 @@ class Talk {
   Time roundTripsAt_{};
   std::optional<std::string> notice_;
   std::vector<PlayerChat> chats_;
-  TokenBucket budget_;
+  std::vector<TokenBucket> budgets_;  // by local number
 };
 
 }  // namespace platon

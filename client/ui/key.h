@@ -132,6 +132,7 @@ struct KeyEvent {
   bool ctrl = false;       ///< Ctrl was held
   bool shift = false;      ///< Shift was held
   char32_t character = 0;  ///< of a kCharacter: its code point
+  int pad = 0;             ///< of a key of a gamepad: GamepadState::id
 
   friend bool operator==(const KeyEvent&, const KeyEvent&) = default;
 };

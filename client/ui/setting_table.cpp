@@ -23,6 +23,7 @@ constexpr std::array<NamedValue, 6> kFrameCaps{
 
 // By ControlFrame and by CameraView.
 constexpr std::array<SettingWord, 2> kFrames{{{"player", "of the ball"}, {"screen", "of the screen"}}};
+constexpr std::array<SettingWord, 2> kSharedViews{{{"one", "one for all"}, {"each", "one each"}}};
 constexpr std::array<SettingWord, 3> kViews{
     {{"follow", "follows you"}, {"face", "stands still, cuts"}, {"face-fade", "stands still, fades"}}};
 
@@ -78,6 +79,7 @@ constexpr SettingWords noneOrOneOf(std::span<const SettingWord> words) {
           words, ", "};
 }
 
+constexpr const char* kNameForm = "a text of at most 32 bytes without control characters";
 static_assert(kMaxNameBytes == 32, "the form of a name says so");
 bool isName(std::string_view text) { return !text.empty() && isLabel(text, kMaxNameBytes); }
 
@@ -252,6 +254,12 @@ constexpr std::array kSettings{
             .group = Group::kGame,
             .label = "Ghosts",
             .about = "Shows your best run as a pale ball that runs along, and runs of others."},
+    Setting{.name = "views",
+            .line = 34,
+            .value = oneOf<&S::views>(kSharedViews),
+            .group = Group::kGame,
+            .label = "Views of several players",
+            .about = "One picture for all who play on this machine while it can show them, or one for each."},
     Setting{.name = "chat",
             .line = 20,
             .value = SettingFlag{member<&S::chat>()},
@@ -279,12 +287,60 @@ constexpr std::array kSettings{
             .about = "Slows the game down while you are alone. Slowed times do not count.",
             .inMotion = true,
             .onlyAlone = true},
+    Setting{.name = "ball-colour-2",
+            .line = 36,
+            .value = noneOrOneOf<&S::second, &CompanionChoice::ball, &BallChoice::colour>(kColours),
+            .group = Group::kCompanions,
+            .label = "Colour of player 2",
+            .about = "The colour of the ball of player 2 on this machine."},
+    Setting{.name = "ball-pattern-2",
+            .line = 37,
+            .value = noneOrOneOf<&S::second, &CompanionChoice::ball, &BallChoice::pattern>(kPatterns),
+            .group = Group::kCompanions,
+            .label = "Pattern of player 2",
+            .about = "The pattern of the ball of player 2 on this machine."},
+    Setting{.name = "ball-colour-3",
+            .line = 39,
+            .value = noneOrOneOf<&S::third, &CompanionChoice::ball, &BallChoice::colour>(kColours),
+            .group = Group::kCompanions,
+            .label = "Colour of player 3",
+            .about = "The colour of the ball of player 3 on this machine."},
+    Setting{.name = "ball-pattern-3",
+            .line = 40,
+            .value = noneOrOneOf<&S::third, &CompanionChoice::ball, &BallChoice::pattern>(kPatterns),
+            .group = Group::kCompanions,
+            .label = "Pattern of player 3",
+            .about = "The pattern of the ball of player 3 on this machine."},
+    Setting{.name = "ball-colour-4",
+            .line = 42,
+            .value = noneOrOneOf<&S::fourth, &CompanionChoice::ball, &BallChoice::colour>(kColours),
+            .group = Group::kCompanions,
+            .label = "Colour of player 4",
+            .about = "The colour of the ball of player 4 on this machine."},
+    Setting{.name = "ball-pattern-4",
+            .line = 43,
+            .value = noneOrOneOf<&S::fourth, &CompanionChoice::ball, &BallChoice::pattern>(kPatterns),
+            .group = Group::kCompanions,
+            .label = "Pattern of player 4",
+            .about = "The pattern of the ball of player 4 on this machine."},
     Setting{.name = "first-keys", .line = 21, .value = SettingFlag{member<&S::firstKeys>()}, .group = Group::kHidden},
     Setting{.name = "first-down", .line = 31, .value = SettingFlag{member<&S::firstDown>()}, .group = Group::kHidden},
     Setting{.name = "first-look", .line = 32, .value = SettingFlag{member<&S::firstLook>()}, .group = Group::kHidden},
     Setting{.name = "name",
             .line = 33,
-            .value = SettingText{member<&S::name>(), &isName, "a text of at most 32 bytes without control characters"},
+            .value = SettingText{member<&S::name>(), &isName, kNameForm},
+            .group = Group::kHidden},
+    Setting{.name = "name-2",
+            .line = 35,
+            .value = SettingText{member<&S::second, &CompanionChoice::name>(), &isName, kNameForm},
+            .group = Group::kHidden},
+    Setting{.name = "name-3",
+            .line = 38,
+            .value = SettingText{member<&S::third, &CompanionChoice::name>(), &isName, kNameForm},
+            .group = Group::kHidden},
+    Setting{.name = "name-4",
+            .line = 41,
+            .value = SettingText{member<&S::fourth, &CompanionChoice::name>(), &isName, kNameForm},
             .group = Group::kHidden},
     Setting{.name = "list-url",
             .line = 23,

@@ -64,7 +64,7 @@ struct SettingText {
 };
 
 /// The parts of the menu, in their order. The menu does not show settings of kHidden.
-enum class SettingGroup : std::uint8_t { kPicture, kSound, kComfort, kControls, kGame, kHidden };
+enum class SettingGroup : std::uint8_t { kPicture, kSound, kComfort, kControls, kGame, kCompanions, kHidden };
 
 /// A setting: a row of the table that the settings file, the menu and the sentence about a wrong value follow.
 struct Setting {

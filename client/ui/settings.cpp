@@ -1,6 +1,7 @@
 #include "client/ui/settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -19,6 +20,7 @@ bool isReadable(std::string_view word) {
 
 using Words = std::vector<std::string>;
 
+using KeyReaders = std::array<BindingsReader, 2>;  // by KeySet
 std::string joined(std::span<const std::string> words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -26,12 +28,14 @@ std::string joined(std::span<const std::string> words) {
 }
 
 // What is wrong with the line of a setting; nothing if the line names no setting.
-std::optional<std::string> faultOf(const Words& words, Settings& settings, BindingsReader& bindings) {
+std::optional<std::string> faultOf(const Words& words, Settings& settings, KeyReaders& readers) {
   const std::span<const std::string> values = std::span(words).subspan(1);
-  const std::optional<Control> control = words[0] == "key" && !values.empty() ? controlNamed(values[0]) : std::nullopt;
-  if (control) {
-    const std::string fault = bindings.read(*control, values.subspan(1));
-    return fault.empty() ? fault : "key " + values[0] + " " + fault;
+  for (const KeySet set : {KeySet::kFirst, KeySet::kSecond}) {
+    const bool isKey = words[0] == wordOf(set) && !values.empty();
+    const std::optional<Control> control = isKey ? controlNamed(values[0]) : std::nullopt;
+    if (!control) continue;
+    const std::string fault = readers[static_cast<std::size_t>(set)].read(*control, values.subspan(1));
+    return fault.empty() ? fault : words[0] + " " + values[0] + " " + fault;
   }
   for (const Setting& setting : settingTable()) {
     if (setting.name != words[0]) continue;
@@ -47,11 +51,11 @@ std::string unknown(const std::string& name) {
   return name.size() <= kMaxShown && isReadable(name) ? "unknown setting '" + name + "'" : "unknown setting";
 }
 
-void parseLine(const std::string& line, const std::string& where, SettingsResult& result, BindingsReader& bindings) {
+void parseLine(const std::string& line, const std::string& where, SettingsResult& result, KeyReaders& readers) {
   std::istringstream stream(line);
   const Words words{std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
   if (words.empty()) return;
-  const std::optional<std::string> fault = faultOf(words, result.settings, bindings);
+  const std::optional<std::string> fault = faultOf(words, result.settings, readers);
   if (!fault) result.unknownLines.push_back(line);
   if (!fault)
     result.errors.push_back(where + unknown(words[0]));
@@ -66,17 +70,20 @@ bool isListUrl(std::string_view text) {
   return text.size() > scheme && text.size() <= kMaxListUrlBytes && isReadable(text);
 }
 
-std::string Settings::text() const { return settingLines(*this) + textOf(bindings); }
+std::string Settings::text() const {
+  return settingLines(*this) + textOf(bindings) + textOf(secondKeys, KeySet::kSecond);
+}
 
 SettingsResult parseSettings(std::string_view text) {
   SettingsResult result;
   std::istringstream lines{std::string(text)};
   std::string line;
-  BindingsReader bindings;
+  KeyReaders readers{BindingsReader(), BindingsReader(KeySet::kSecond)};
   for (int number = 1; std::getline(lines, line); ++number) {
-    parseLine(line, "line " + std::to_string(number) + ": ", result, bindings);
+    parseLine(line, "line " + std::to_string(number) + ": ", result, readers);
   }
-  result.settings.bindings = bindings.bindings();
+  result.settings.bindings = readers[0].bindings();
+  result.settings.secondKeys = readers[1].bindings();
   return result;
 }
 

@@ -1,23 +1,61 @@
 #include "client/ui/user_interface.h"
 
+#include <utility>
+
 namespace platon {
 
 std::optional<Action> UserInterface::handle(const KeyEvent& event, bool menuOpen) {
-  if (event.kind == KeyEvent::Kind::kPress) gamepadUsed_ = isOfGamepad(event.key);
-  mapper_.configure(settings_.bindings, settings_.toggled);
-  const std::optional<Action> action = mapper_.handle(event, menuOpen);
+  const std::uint32_t local = devices_.ownerOf(event, settings_.secondKeys);
+  if (event.kind == KeyEvent::Kind::kPress && local == 0)
+    padUsed_ = isOfGamepad(event.key) ? std::optional(event.pad) : std::nullopt;
+  configure();
+  const std::optional<Action> action = mappers_[local].handle(event, menuOpen);
   if (action == Action::kToggleHelp) helpShown_ = !helpShown_;
   if (action == Action::kToggleNetGraph) settings_.netGraph = !settings_.netGraph;
   if (action == Action::kToggleFullscreen) settings_.fullscreen = !settings_.fullscreen;
+  if (action == Action::kJoin) join(event);
   return action;
 }
 
-HeldKeys UserInterface::takeHeld(bool menuOpen) {
-  mapper_.configure(settings_.bindings, settings_.toggled);
-  HeldKeys held = mapper_.takeHeld();
+// A device that changes hands holds no key.
+void UserInterface::join(const KeyEvent& event) {
+  deviceChange_ = devices_.toggle(event);
+  for (InputMapper& mapper : mappers_) mapper.release();
+}
+
+void UserInterface::removeCompanion(std::uint32_t local) {
+  devices_.remove(local);
+  mappers_[local].release();
+}
+
+Bindings UserInterface::ownKeys() const {
+  return devices_.sharesKeyboard() ? settings_.bindings.without(settings_.secondKeys) : settings_.bindings;
+}
+
+// Companions with a gamepad have the buttons of the first player.
+void UserInterface::configure() {
+  mappers_[0].configure(ownKeys(), settings_.toggled);
+  Bindings companion = settings_.secondKeys;
+  for (std::size_t i = 0; i < kControlCount; ++i) {
+    const auto control = static_cast<Control>(i);
+    if (const std::optional<Key> pad = settings_.bindings.keysOf(control).pad) companion.bind(control, *pad);
+  }
+  for (std::size_t local = 1; local < mappers_.size(); ++local) mappers_[local].configure(companion, {});
+}
+
+HeldKeys UserInterface::takeHeld(bool menuOpen, std::uint32_t local) {
+  configure();
+  HeldKeys held = mappers_[local].takeHeld();
   if (menuOpen) return {};
-  held.restart = std::exchange(restart_, false) || held.restart;
+  if (local == 0) held.restart = std::exchange(restart_, false) || held.restart;
   return held;
+}
+
+bool UserInterface::loseGamepad(int pad) {
+  if (devices_.lose(pad)) return true;
+  if (padUsed_ != pad) return false;
+  padUsed_.reset();
+  return true;
 }
 
 }  // namespace platon

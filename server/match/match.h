@@ -116,6 +116,8 @@ class Match {
   std::size_t allPlayers() const { return roster_.size(); }
   /// Number of connected players.
   std::size_t players() const { return roster_.players(); }
+  /// Number of connected clients, each with one player or several.
+  std::size_t clients() const { return roster_.connected().size(); }
   bool isPlaying(ClientId client) const { return find(client) != nullptr; }
   /// A connected client with its players; null if it does not play.
   const MatchClient* find(ClientId client) const { return roster_.find(client); }

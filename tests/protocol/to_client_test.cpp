@@ -210,5 +210,23 @@ TEST(RoundTripCode, ALongerOneIsTheLongest) {
   EXPECT_EQ(codeOfRoundTrip(UINT32_MAX), UINT8_MAX);
 }
 
+// The slots 3 and 5 become twice 3, or lack the first one.
+TEST(ToClient, NoTwoLocalPlayersHaveOneSlotAndTheFirstHasOne) {
+  std::vector<std::uint8_t> bytes = encode(LocalSlots{{3, 5}});
+  const std::array<std::uint8_t, 4> slots = {3, 5, 0, 0};
+  const auto second = std::search(bytes.begin(), bytes.end(), slots.begin(), slots.end()) + 1;
+  ASSERT_TRUE(decodeToClient(bytes));
+  *second = 3;
+  EXPECT_FALSE(decodeToClient(bytes));
+  *second = 5;
+  const std::array<std::uint8_t, 8> taken = {0, 0, 0, 3, 4, 0, 0, 0};
+  const auto bits = std::search(bytes.begin(), bytes.end(), taken.begin(), taken.end()) + 3;
+  ASSERT_LT(bits, bytes.end());
+  *bits = 2;
+  EXPECT_FALSE(decodeToClient(bytes));
+  *bits = 3 + 16;
+  EXPECT_FALSE(decodeToClient(bytes)) << "a fifth one";
+}
+
 }  // namespace
 }  // namespace platon::to_client_test

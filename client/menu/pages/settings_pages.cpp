@@ -9,13 +9,15 @@
 
 #include "client/quality/quality.h"
 #include "client/ui/controls/key_names.h"
+#include "protocol/label.h"
+#include "protocol/limits.h"
 
 namespace platon {
 namespace {
 
 constexpr std::array<const char*, kQualities.size()> kQualityNames{"low", "medium", "high", "highest"};
-// By SettingGroup.
-constexpr std::array<const char*, static_cast<std::size_t>(SettingGroup::kHidden)> kGroupNames{
+// By SettingGroup; those that follow are not on the page of the settings.
+constexpr std::array<const char*, static_cast<std::size_t>(SettingGroup::kCompanions)> kGroupNames{
     "Picture", "Sound", "Comfort", "Controls", "Game"};
 constexpr double kScaleStep = 0.05;  // of the render scale
 
@@ -174,18 +176,32 @@ std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings) {
   return items;
 }
 
-MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys, bool alone) {
+namespace {
+
+const char* titleOf(KeySet set) { return set == KeySet::kFirst ? "Keys and buttons" : "Keys of the second player"; }
+
+MenuItem keysItem(KeySet set, const std::function<void(KeySet)>& showKeys) {
+  MenuItem item{.name = titleOf(set), .value = "choose", .choose = [showKeys, set] { showKeys(set); }};
+  item.about = set == KeySet::kFirst ? "Choose which key and which button of a gamepad does what."
+                                     : "Choose the keys of who joins at this keyboard with F2.";
+  return item;
+}
+
+}  // namespace
+
+MenuPage settingsPage(Settings& settings, const SubPages& pages, bool alone) {
   MenuPage page{"Settings"};
   page.standsAside = true;
   SettingGroup group = SettingGroup::kHidden;
   for (const Setting& setting : settingTable()) {
-    if (setting.group == SettingGroup::kHidden || (setting.onlyAlone && !alone)) continue;
+    if (setting.group >= SettingGroup::kCompanions || (setting.onlyAlone && !alone)) continue;
     if (setting.group != group) {
       group = setting.group;
       page.items.push_back({MenuItem::Kind::kHeading, kGroupNames[static_cast<std::size_t>(group)]});
       if (group == SettingGroup::kControls) {
-        page.items.push_back({.name = "Keys and buttons", .value = "choose", .choose = showKeys});
-        page.items.back().about = "Choose which key and which button of a gamepad does what.";
+        for (const KeySet set : {KeySet::kFirst, KeySet::kSecond}) page.items.push_back(keysItem(set, pages.keys));
+        page.items.push_back({.name = "Others on this machine", .value = "choose", .choose = pages.companions});
+        page.items.back().about = "Names and balls of those who join here with F2, or with RT on a gamepad.";
       }
     }
     for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));
@@ -220,7 +236,7 @@ std::string bound(Bindings& bindings, Control control, Key key) {
          allKeysOf(bindings, *owner) + " now.";
 }
 
-void take(const KeyEvent& event, Bindings& bindings, ControlsForm& form) {
+void take(const KeyEvent& event, Bindings& bindings, ControlsForm& form, KeySet set) {
   const Control control = *form.waiting;
   if (event.key == Key::kPadStart) {
     form = {};
@@ -231,7 +247,7 @@ void take(const KeyEvent& event, Bindings& bindings, ControlsForm& form) {
   } else if (event.key == Key::kDelete || event.key == Key::kBackspace) {
     bindings.clear(control);
     form = {{}, quoted(control) + " has no key or button now."};
-  } else if (!canBeBound(event.key)) {
+  } else if (!canBeBound(event.key) || (set == KeySet::kSecond && isOfGamepad(event.key))) {
     form.told = std::string(shownNameOf(event.key)) + " cannot be chosen.";
   } else {
     form = {{}, bound(bindings, control, event.key)};
@@ -246,37 +262,66 @@ std::string noteOf(const ControlsForm& form) {
 
 }  // namespace
 
-MenuPage controlsPage(Bindings& bindings, ControlsForm& form) {
-  MenuPage page{"Keys and buttons", {noteOf(form)}};
+MenuPage controlsPage(Bindings& bindings, ControlsForm& form, KeySet set) {
+  MenuPage page{titleOf(set), {noteOf(form)}};
   for (std::size_t i = 0; i < kControlCount; ++i) {
     const auto control = static_cast<Control>(i);
+    if (!isOfSet(control, set)) continue;
     page.items.push_back({.name = std::string(nameOf(control)),
                           .value = form.waiting == control ? "…" : allKeysOf(bindings, control),
                           .choose = [control, &form] {
                             form = {control, ""};
                           }});
   }
-  page.items.push_back({.name = "Reset to the defaults", .choose = [&bindings, &form] {
-                          bindings = Bindings();
+  page.items.push_back({.name = "Reset to the defaults", .choose = [&bindings, &form, set] {
+                          bindings = Bindings(set);
                           form = {{}, "All keys and buttons have their defaults."};
                         }});
-  if (form.waiting) page.takeKey = [&bindings, &form](const KeyEvent& event) { take(event, bindings, form); };
+  if (form.waiting) page.takeKey = [&bindings, &form, set](const KeyEvent& event) { take(event, bindings, form, set); };
+  return page;
+}
+
+// A name that is no label changes nothing.
+MenuPage companionsPage(Settings& settings, CompanionsForm& form) {
+  MenuPage page{"Others on this machine",
+                {"F2: another player joins at this keyboard. RT on a gamepad: another one joins with it."}};
+  for (std::size_t local = 1; local < kMaxLocalPlayers; ++local) {
+    TextField& field = form.names[local];
+    if (isLabel(field.text(), kMaxNameBytes)) settings.companion(local).name = visibleLabel(field.text());
+    page.items.push_back({MenuItem::Kind::kText, "Name of player " + std::to_string(local + 1)});
+    page.items.back().field = &field;
+  }
+  for (const Setting& setting : settingTable()) {
+    if (setting.group != SettingGroup::kCompanions) continue;
+    for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));
+  }
   return page;
 }
 
 void SettingsPages::show(MenuPage::Place place) {
   menu_->push([this, place] {
-    MenuPage page = settingsPage(
-        *settings_, [this, place] { showControls(place); }, !alone_ || alone_());
+    const SubPages pages{[this, place](KeySet set) { showControls(place, set); },
+                         [this, place] { showCompanions(place); }};
+    MenuPage page = settingsPage(*settings_, pages, !alone_ || alone_());
     page.place = place;
     return page;
   });
 }
 
-void SettingsPages::showControls(MenuPage::Place place) {
-  form_ = {};
+void SettingsPages::showCompanions(MenuPage::Place place) {
+  for (std::size_t local = 1; local < kMaxLocalPlayers; ++local)
+    companionsForm_.names[local].setText(settings_->companion(local).name);
   menu_->push([this, place] {
-    MenuPage page = controlsPage(settings_->bindings, form_);
+    MenuPage page = companionsPage(*settings_, companionsForm_);
+    page.place = place;
+    return page;
+  });
+}
+
+void SettingsPages::showControls(MenuPage::Place place, KeySet set) {
+  form_ = {};
+  menu_->push([this, place, set] {
+    MenuPage page = controlsPage(set == KeySet::kFirst ? settings_->bindings : settings_->secondKeys, form_, set);
     page.place = place;
     return page;
   });

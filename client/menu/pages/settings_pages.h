@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,9 +9,11 @@
 
 #include "client/menu/menu.h"
 #include "client/menu/menu_page.h"
+#include "client/menu/text_field.h"
 #include "client/ui/controls/bindings.h"
 #include "client/ui/setting_table.h"
 #include "client/ui/settings.h"
+#include "protocol/limits.h"
 
 namespace platon {
 
@@ -19,9 +22,23 @@ namespace platon {
 /// A level of quality that is chosen takes the place of a render scale and of samples that were.
 std::vector<MenuItem> itemsOf(const Setting& setting, Settings& settings);
 
-/// The page that changes `settings`, which outlive it. `showKeys` shows the page of keys and buttons. `alone`: the
-/// game may run slower.
-MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys, bool alone = true);
+/// What shows the pages to which that of the settings leads.
+struct SubPages {
+  std::function<void(KeySet)> keys;  ///< keys and buttons
+  std::function<void()> companions;  ///< others on this machine
+};
+
+/// The page that changes `settings`, which outlive it. `alone`: the game may run slower.
+MenuPage settingsPage(Settings& settings, const SubPages& pages, bool alone = true);
+
+/// The names that are entered of the companions, by local number.
+struct CompanionsForm {
+  std::array<TextField, kMaxLocalPlayers> names{TextField(kMaxNameBytes), TextField(kMaxNameBytes),
+                                                TextField(kMaxNameBytes), TextField(kMaxNameBytes)};
+};
+
+/// The page for the names and the balls of the companions. `settings` and `form` outlive it.
+MenuPage companionsPage(Settings& settings, CompanionsForm& form);
 
 /// What the page of keys waits for, and what it tells.
 struct ControlsForm {
@@ -29,8 +46,8 @@ struct ControlsForm {
   std::string told{};                ///< about the last change
 };
 
-/// The page that chooses the keys and buttons of the controls. `bindings` and `form` outlive it.
-MenuPage controlsPage(Bindings& bindings, ControlsForm& form);
+/// The page that chooses the keys and buttons of the controls of a set. `bindings` and `form` outlive it.
+MenuPage controlsPage(Bindings& bindings, ControlsForm& form, KeySet set = KeySet::kFirst);
 
 /// The settings in the menu, and the page of keys below them.
 class SettingsPages {
@@ -43,12 +60,14 @@ class SettingsPages {
   void show(MenuPage::Place place);
 
  private:
-  void showControls(MenuPage::Place place);
+  void showControls(MenuPage::Place place, KeySet set);
+  void showCompanions(MenuPage::Place place);
 
   Menu* menu_;
   Settings* settings_;
   std::function<bool()> alone_;
   ControlsForm form_;
+  CompanionsForm companionsForm_;
 };
 
 }  // namespace platon

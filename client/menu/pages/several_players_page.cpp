@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/limits.h"
+
 namespace platon {
 namespace {
 
 constexpr double kMaxHosted = 64;
-constexpr const char* kDefaultPort = "7777";
 
 MenuItem levelItem(HostForm& form, std::span<const LevelEntry> levels) {
   MenuItem item{MenuItem::Kind::kChoice, "First level", levels.empty() ? "" : levels[form.level].title};
@@ -63,12 +64,15 @@ MenuPage severalPlayersPage(const LevelEntry& level, const SeveralPlayersChoices
   MenuPage page{level.title};
   page.place = MenuPage::Place::kLeft;
   page.notes = {"This level needs " + std::to_string(level.players) +
-                " players: host it so that others can join you, or join somebody who hosts it."};
-  page.items = {{.name = "Host it", .choose = choices.host}, {.name = "Join", .choose = choices.join}};
+                " players: play it together on this machine, host it so that others can join you, or join somebody who "
+                "hosts it."};
+  page.items = {{.name = "Together on this machine", .choose = choices.playHere},
+                {.name = "Host it", .choose = choices.host},
+                {.name = "Join", .choose = choices.join}};
   return page;
 }
 
-HostForm::HostForm() { port.setText(kDefaultPort); }
+HostForm::HostForm() { port.setText(std::to_string(kDefaultPort)); }
 
 MenuPage hostPage(HostForm& form, std::span<const LevelEntry> levels, const std::function<void()>& host) {
   MenuPage page{"Host a game"};

@@ -15,6 +15,7 @@ namespace platon {
 
 /// What is offered of a level that needs several players.
 struct SeveralPlayersChoices {
+  std::function<void()> playHere;
   std::function<void()> host;
   std::function<void()> join;
 };

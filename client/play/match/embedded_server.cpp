@@ -140,7 +140,7 @@ struct EmbeddedServer::Running {
     server.match().keepTimesOf(keptSlot);
     if (nextAsked.exchange(false)) server.match().startNextRound();
     server.step(now());
-    players = server.match().players();
+    clients = server.match().clients();
     waits = server.match().waits();
   }
 
@@ -162,7 +162,7 @@ struct EmbeddedServer::Running {
   std::atomic<bool> nextAsked{false};
   std::atomic<bool> timesCount{true};
   std::atomic<std::uint32_t> keptSlot{UINT32_MAX};  // of nobody at first
-  std::atomic<std::size_t> players{0};
+  std::atomic<std::size_t> clients{0};
   std::atomic<bool> waits{false};
   std::thread thread;  // last: uses the members above from its start; not joinable: there is none
 };
@@ -183,7 +183,7 @@ void EmbeddedServer::step() {
 
 ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
 
-std::size_t EmbeddedServer::players() const { return running_->players; }
+std::size_t EmbeddedServer::clients() const { return running_->clients; }
 
 bool EmbeddedServer::waits() const { return running_->waits; }
 

@@ -43,8 +43,8 @@ class EmbeddedServer {
   ServerAddress address() const;
   /// Public key of the server.
   CryptoKey identity() const;
-  /// Number of connected players.
-  std::size_t players() const;
+  /// Number of connected clients, each with one player or several.
+  std::size_t clients() const;
   /// Whether rounds have no time limit (Match::waits).
   bool waits() const;
   /// Whether times may become best times (Match::countTimes).

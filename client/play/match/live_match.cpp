@@ -59,6 +59,10 @@ EmbeddedSettings ownSettings(const ClientOptions& options, const MatchChoice& ch
   return settings;
 }
 
+std::array<BallChoice, kMaxLocalPlayers> ballsOf(const Settings& settings) {
+  return {settings.ball, settings.second.ball, settings.third.ball, settings.fourth.ball};
+}
+
 const Round* roundOf(const NetworkClient& client) {
   return client.session() == nullptr ? nullptr : client.session()->round();
 }
@@ -237,14 +241,20 @@ std::vector<GhostSource> LiveMatch::ghosts(const Settings& settings) const {
 }
 
 // During an outage the new session's game is still empty.
-std::optional<Scene> LiveMatch::scene(const Settings& settings) {
-  if (client_.outage()) return lastScene_;
-  lastScene_.reset();
-  if (const Session* const session = client_.session())
-    lastScene_ = sceneFeed_.scene(*session, now(), {!waits(), settings.ball, ghosts(settings)});
-  if (!lastScene_ || !settings.chat) return lastScene_;
-  for (PlayerDrawing& player : lastScene_->players) player.says = bubbles_.of(player.slot, toSeconds(now()));
-  return lastScene_;
+std::optional<Scene> LiveMatch::scene(const Settings& settings, std::size_t local) {
+  std::optional<Scene>& last = lastScenes_[local];
+  if (client_.outage()) return last;
+  last.reset();
+  if (!slots()[local]) return last;
+  last = sceneFeed_.scene(*client_.session(), now(), {local, !waits(), ballsOf(settings), ghosts(settings)});
+  if (!last || !settings.chat) return last;
+  for (PlayerDrawing& player : last->players) player.says = bubbles_.of(player.slot, toSeconds(now()));
+  return last;
+}
+
+SlotsByLocal LiveMatch::slots() const {
+  const Round* const round = roundOf(client_);
+  return round == nullptr ? SlotsByLocal() : round->prediction().slots();
 }
 
 std::string LiveMatch::message() const {

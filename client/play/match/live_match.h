@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -151,8 +152,10 @@ class LiveMatch {
   void update(bool wantsPause, const Controls& controls, double speed = 1);
   /// Leads to the next level: at once for a player who is alone, else by a vote, or taking it back.
   void skipLevel();
-  /// Says something to all players. Returns false if this client has said too much, or is in no match.
-  bool say(const Chat& chat) { return client_.say(chat, now()); }
+  /// A local player says something to all players. Returns false if it has said too much, or is in no match.
+  bool say(const Chat& chat, std::uint32_t local = 0) { return client_.say(chat, now(), local); }
+  /// Another player of this program joins, takes another name, or leaves (NetworkClient::setCompanion).
+  void setCompanion(std::uint32_t local, const std::optional<std::string>& name) { client_.setCompanion(local, name); }
   /// Leaves the match; takes at most half a second.
   void leave();
 
@@ -162,7 +165,7 @@ class LiveMatch {
   /// Whether the game stands still.
   bool paused() const { return time_->paused(); }
   /// Whether the server is in this program and nobody else plays on it.
-  bool alone() const { return server_ && server_->players() <= 1; }
+  bool alone() const { return server_ && server_->clients() <= 1; }
   /// Whether a player who is alone has all the time it wants, and starts the next level itself: the server decides it.
   bool waits() const { return server_ && server_->waits(); }
   /// Whether the server has ended the round.
@@ -178,8 +181,11 @@ class LiveMatch {
   /// The least speed of the present attempt.
   double leastSpeed() const { return attempt_.least(); }
 
-  /// Empty before the first round. During an outage, the last scene.
-  std::optional<Scene> scene(const Settings& settings = {});
+  /// The slots of the local players; none before the first round.
+  SlotsByLocal slots() const;
+  /// As this local player sees it. Empty before the first round, and if it has no slot. During an outage, the last
+  /// scene.
+  std::optional<Scene> scene(const Settings& settings = {}, std::size_t local = 0);
   /// What the head-up display shows besides the scene.
   HudStatus hudStatus(const Settings& settings = {}, bool help = false) const;
   /// Connection status for the player; empty while the match runs.
@@ -219,7 +225,7 @@ class LiveMatch {
   AttemptSpeed attempt_;
   std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for
   SceneFeed sceneFeed_;
-  std::optional<Scene> lastScene_;
+  std::array<std::optional<Scene>, kMaxLocalPlayers> lastScenes_;  // by local number
   ChatFeed chat_;
   EmoteBubbles bubbles_;
   Notice notice_;  // the newest one

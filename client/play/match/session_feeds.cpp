@@ -9,17 +9,26 @@ namespace platon {
 
 namespace {
 
-// The local player between the last two predicted ticks; at the last one if it was absent in the one before.
-InterpolatedPlayer predictedPlayer(const Round& round) {
+// A local player between the last two predicted ticks; at the last one if it was absent in the one before.
+InterpolatedPlayer predictedPlayer(const Round& round, std::uint32_t slot) {
   const Prediction& prediction = round.prediction();
   const std::span<const EntityState> before = prediction.predictedBefore();
   InterpolatedPlayer local;
-  local.now = local.before = snapshotOf(prediction.predicted(), prediction.slot());
+  local.now = local.before = snapshotOf(prediction.predicted(), slot);
   local.fraction = round.predictedFraction();
-  if (prediction.slot() < before.size() && before[prediction.slot()].inserted != 0) {
-    local.before = snapshotOf(before[prediction.slot()]);
-  }
+  if (slot < before.size() && before[slot].inserted != 0) local.before = snapshotOf(before[slot]);
   return local;
+}
+
+// All local players but the one with this local number.
+std::vector<CompanionSource> companionsOf(const Round& round, std::size_t local, Time now) {
+  std::vector<CompanionSource> companions;
+  const Prediction& prediction = round.prediction();
+  for (std::size_t i = 0; i < prediction.slots().size(); ++i) {
+    const std::optional<std::uint32_t>& slot = prediction.slots()[i];
+    if (slot && i != local) companions.push_back({*slot, predictedPlayer(round, *slot), prediction.smoothing(i, now)});
+  }
+  return companions;
 }
 
 // The last source of the session's round; nothing without a round.
@@ -51,7 +60,7 @@ void SceneFeed::updateFlashes(const Round& round) {
   flashes_.assign(prediction.predicted().slots(), 0);
   for (std::uint32_t slot = 0; slot < flashes_.size(); ++slot) {
     flashes_[slot] =
-        round.flashes().brightness(slot, slot == prediction.slot() ? localTick : round.interpolationBuffer().tick());
+        round.flashes().brightness(slot, prediction.isLocal(slot) ? localTick : round.interpolationBuffer().tick());
   }
 }
 
@@ -75,20 +84,23 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Time now, SceneExt
   source.timed = extras.timed;
   source.fraction = round->predictedFraction();
   source.others = round->interpolationBuffer().players();
-  source.localSlot = prediction.slot();
-  source.local = predictedPlayer(*round);
-  source.localOffset = prediction.smoothing(now);
+  const std::size_t local = extras.local;
+  source.localSlot = prediction.slots()[local];
+  source.local = predictedPlayer(*round, *source.localSlot);
+  source.localOffset = prediction.smoothing(local, now);
+  source.companions = companionsOf(*round, local, now);
   source.names = session.names();
   updateRoundTrips(session, now);
   source.roundTrips = roundTrips_;
   updateFlashes(*round);
   source.flashes = flashes_;
-  source.attempt = round->attemptTime();
-  source.needsRestart = round->endlessFall().needsHint();
-  source.longFall = round->endlessFall().isLong();
+  source.attempt = level_->players > 1 ? round->teamTime() : round->attemptTime(local);
+  source.needsRestart = round->endlessFall(local).needsHint();
+  source.longFall = round->endlessFall(local).isLong();
   source.othersCanJoin = true;
   source.ghosts = std::move(extras.ghosts);
-  source.ownBall = extras.ownBall;
+  for (std::size_t i = 0; i < extras.balls.size(); ++i)
+    if (prediction.slots()[i]) source.ownBalls.push_back({*prediction.slots()[i], extras.balls[i]});
   return makeScene(source);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -23,9 +25,10 @@ namespace platon {
 
 /// What a scene shows besides what the session knows.
 struct SceneExtras {
-  bool timed = true;                  ///< rounds have a time limit
-  BallChoice ownBall{};               ///< how the local player wants its ball
-  std::vector<GhostSource> ghosts{};  ///< that play along
+  std::size_t local = 0;                             ///< local number of the player whose scene it is; it has a slot
+  bool timed = true;                                 ///< rounds have a time limit
+  std::array<BallChoice, kMaxLocalPlayers> balls{};  ///< how the local players want their balls
+  std::vector<GhostSource> ghosts{};                 ///< that play along
 };
 
 /// Creates the scene to draw from a session.

@@ -34,7 +34,7 @@ BenchmarkGame::BenchmarkGame(std::shared_ptr<const Level> level) : game_(std::mo
 void BenchmarkGame::begin() {
   game_.begin();
   inputs_.clear();
-  prediction_.emplace(game_.game(), 0);
+  prediction_.emplace(game_.game(), SlotsByLocal{0});
 }
 
 void BenchmarkGame::advance(std::uint32_t ticks) {
@@ -61,7 +61,7 @@ void BenchmarkGame::predict() {
     prediction_->confirm(inputs_[prediction_->confirmedTicks()]);
     prediction_->reconcile(Time());
   }
-  prediction_->predict(inputs_[tick][0]);
+  prediction_->predict({inputs_[tick][0]});
 }
 
 FrameBenchmark::Course::Course(const NamedQuality& named) : level(named.level) {

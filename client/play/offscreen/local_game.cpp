@@ -29,7 +29,7 @@ Scene LocalGame::scene(const BallChoice& ownBall) const {
   source.localSlot = 0;
   source.names = names_;
   source.attempt = attempt_;
-  source.ownBall = ownBall;
+  source.ownBalls = {{0, ownBall}};
   source.timed = names_.size() > 1;
   return makeScene(source);
 }

@@ -46,22 +46,42 @@ std::optional<Control> controlNamed(std::string_view word) {
   return std::nullopt;
 }
 
-Bindings::Bindings()
-    : keys_{{{Key::kArrowLeft, Key::kA, Key::kPadLeft},
-             {Key::kArrowRight, Key::kD, Key::kPadRight},
-             {Key::kArrowUp, Key::kW, {}},  // not the gamepad's: pushing the stick up must not jump
-             {Key::kArrowDown, Key::kS, Key::kPadDown},
-             {Key::kSpace, {}, Key::kPadA},
-             {Key::kShift, {}, Key::kPadLeftBumper},
-             {Key::kR, {}, Key::kPadBack},
-             {Key::kV, {}, Key::kPadY},
-             {Key::kTab, {}, {}},  // the right stick looks round
-             {Key::kE, {}, Key::kPadRightBumper},
-             {Key::kT, {}, Key::kPadX},
-             {Key::kDigit1, {}, {}},
-             {Key::kDigit2, {}, {}},
-             {Key::kDigit3, {}, {}},
-             {Key::kDigit4, {}, {}}}} {}
+Bindings::Bindings(KeySet set) {
+  if (set == KeySet::kFirst) {
+    keys_ = {{{Key::kArrowLeft, Key::kA, Key::kPadLeft},
+              {Key::kArrowRight, Key::kD, Key::kPadRight},
+              {Key::kArrowUp, Key::kW, {}},  // not the gamepad's: pushing the stick up must not jump
+              {Key::kArrowDown, Key::kS, Key::kPadDown},
+              {Key::kSpace, {}, Key::kPadA},
+              {Key::kShift, {}, Key::kPadLeftBumper},
+              {Key::kR, {}, Key::kPadBack},
+              {Key::kV, {}, Key::kPadY},
+              {Key::kTab, {}, {}},  // the right stick looks round
+              {Key::kE, {}, Key::kPadRightBumper},
+              {Key::kT, {}, Key::kPadX},
+              {Key::kDigit1, {}, {}},
+              {Key::kDigit2, {}, {}},
+              {Key::kDigit3, {}, {}},
+              {Key::kDigit4, {}, {}}}};
+  } else {
+    at(Control::kLeft).first = Key::kArrowLeft;
+    at(Control::kRight).first = Key::kArrowRight;
+    at(Control::kUp).first = Key::kArrowUp;  // jumps
+    at(Control::kDown).first = Key::kArrowDown;
+    at(Control::kSlow).first = Key::kPeriod;
+    at(Control::kRestart).first = Key::kSlash;
+  }
+}
+
+Bindings Bindings::without(const Bindings& other) const {
+  Bindings rest = *this;
+  for (std::size_t i = 0; i < kControlCount; ++i) {
+    const ControlKeys& keys = keys_[i];
+    for (const std::optional<Key>& key : {keys.first, keys.second})
+      if (key && other.controlOf(*key)) rest.remove(static_cast<Control>(i), *key);
+  }
+  return rest;
+}
 
 std::optional<Control> Bindings::controlOf(Key key) const {
   for (std::size_t i = 0; i < kControlCount; ++i) {
@@ -122,21 +142,24 @@ std::optional<ControlKeys> keysOf(std::span<const std::string> words) {
 
 }  // namespace
 
-std::string textOf(const Bindings& bindings) {
+std::string textOf(const Bindings& bindings, KeySet set) {
   std::string text;
   for (std::size_t i = 0; i < kControlCount; ++i) {
     const auto control = static_cast<Control>(i);
+    if (!isOfSet(control, set)) continue;
     std::string words;
     for (const std::optional<Key>& key : inOrder(bindings.keysOf(control))) {
       if (key) words += " " + std::string(wordOf(*key));
     }
-    text += "key " + std::string(wordOf(control)) + (words.empty() ? " none" : words) + "\n";
+    text += std::string(wordOf(set)) + " " + std::string(wordOf(control)) + (words.empty() ? " none" : words) + "\n";
   }
   return text;
 }
 
 std::string BindingsReader::read(Control control, std::span<const std::string> words) {
   const std::optional<ControlKeys> keys = keysOf(words);
+  if (!isOfSet(control, set_)) return "belongs to the first player: remove the line";
+  if (set_ == KeySet::kSecond && (!keys || keys->pad)) return "must be none, or up to two keys, such as: arrow-left j";
   if (!keys) return "must be none, or up to two keys and a button of the gamepad, such as: space j pad-a";
   if (std::string fault = faultOf(control, *keys); !fault.empty()) return fault;
   bindings_.clear(control);

@@ -40,6 +40,13 @@ std::string_view wordOf(Control control);
 /// The control with this name in the settings file.
 std::optional<Control> controlNamed(std::string_view word);
 
+/// Whose keys: those of the first player with the buttons of all gamepads, or those of the second player at the
+/// keyboard.
+enum class KeySet : std::uint8_t { kFirst, kSecond };
+
+/// Whether the control can have keys of the set: the second player moves its ball, all else belongs to the first one.
+constexpr bool isOfSet(Control control, KeySet set) { return set == KeySet::kFirst || control <= Control::kRestart; }
+
 /// The frame that left and right refer to. The two frames differ while the camera rolls.
 enum class ControlFrame : std::uint8_t { kPlayer, kScreen };
 
@@ -61,8 +68,9 @@ struct ControlKeys {
 /// Which keys and buttons each control has. Each of them belongs to at most one control.
 class Bindings {
  public:
-  /// The defaults.
-  Bindings();
+  /// The defaults. Those of the second player are the arrows and two keys beside them.
+  Bindings() : Bindings(KeySet::kFirst) {}
+  explicit Bindings(KeySet set);
 
   const ControlKeys& keysOf(Control control) const { return keys_[static_cast<std::size_t>(control)]; }
   /// The control that has the key.
@@ -76,6 +84,9 @@ class Bindings {
   /// Takes all keys from the control.
   void clear(Control control) { at(control) = {}; }
 
+  /// These bindings without the keys of the keyboard that `other` has.
+  Bindings without(const Bindings& other) const;
+
   friend bool operator==(const Bindings&, const Bindings&) = default;
 
  private:
@@ -85,12 +96,17 @@ class Bindings {
   std::array<ControlKeys, kControlCount> keys_;  // by Control
 };
 
-/// The bindings as lines `key CONTROL KEY…` of the settings file, `none` for no key.
-std::string textOf(const Bindings& bindings);
+/// The first word of the lines of a set in the settings file.
+constexpr std::string_view wordOf(KeySet set) { return set == KeySet::kFirst ? "key" : "key2"; }
+
+/// The bindings as lines `key CONTROL KEY…` of the settings file, `none` for no key; `key2` for the second player.
+std::string textOf(const Bindings& bindings, KeySet set = KeySet::kFirst);
 
 /// Reads such lines, in any order. A line takes its keys over from controls that have no line before it.
 class BindingsReader {
  public:
+  explicit BindingsReader(KeySet set = KeySet::kFirst) : set_(set), bindings_(set) {}
+
   /// Gives the control of a line these keys, which are the words after it. Returns what is wrong with them, and changes
   /// nothing then; else an empty text.
   std::string read(Control control, std::span<const std::string> words);
@@ -100,6 +116,7 @@ class BindingsReader {
  private:
   std::string faultOf(Control control, const ControlKeys& keys) const;
 
+  KeySet set_;
   Bindings bindings_;
   std::bitset<kControlCount> read_;  // the controls that had a line
 };

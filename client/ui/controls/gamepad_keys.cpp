@@ -46,27 +46,28 @@ bool isDirection(Key key) {
 }  // namespace
 
 std::vector<KeyEvent> GamepadKeys::update(std::span<const GamepadState> gamepads) {
-  std::bitset<kKeyCount> down;
-  for (const GamepadState& pad : gamepads) down |= keysOf(pad);
-  noteUsed(gamepads);
   std::vector<KeyEvent> events;
-  for (std::size_t i = 0; i < kKeyCount; ++i) {
-    if (down[i] == down_[i]) continue;
-    events.push_back({static_cast<Key>(i), down[i] ? KeyEvent::Kind::kPress : KeyEvent::Kind::kRelease});
+  const auto change = [&events](int pad, Known& known, const std::bitset<kKeyCount>& down) {
+    for (std::size_t i = 0; i < kKeyCount; ++i) {
+      if (down[i] == known.down[i]) continue;
+      const KeyEvent::Kind kind = down[i] ? KeyEvent::Kind::kPress : KeyEvent::Kind::kRelease;
+      events.push_back({.key = static_cast<Key>(i), .kind = kind, .pad = pad});
+    }
+    known.down = down;
+    known.used = known.used || down.any();
+  };
+  for (auto each = known_.begin(); each != known_.end();) {
+    const auto isIt = [&each](const GamepadState& pad) { return pad.id == each->first; };
+    if (std::any_of(gamepads.begin(), gamepads.end(), isIt)) {
+      ++each;
+      continue;
+    }
+    change(each->first, each->second, {});
+    if (each->second.used) lost_.push_back(each->first);
+    each = known_.erase(each);
   }
-  down_ = down;
+  for (const GamepadState& pad : gamepads) change(pad.id, known_[pad.id], keysOf(pad));
   return events;
-}
-
-void GamepadKeys::noteUsed(std::span<const GamepadState> gamepads) {
-  const auto isUsed = [this](const GamepadState& pad) { return pad.id == used_; };
-  if (used_ && std::none_of(gamepads.begin(), gamepads.end(), isUsed)) {
-    lost_ = true;
-    used_.reset();
-  }
-  for (const GamepadState& pad : gamepads) {
-    if (keysOf(pad).any()) used_ = pad.id;
-  }
 }
 
 void PadRepeat::observe(const KeyEvent& event, Time now) {

@@ -2,6 +2,7 @@
 
 #include <bitset>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -50,19 +51,20 @@ class GamepadKeys {
   /// Deflection up or down from which it counts as pressed. Larger, so that nobody falls faster by running.
   static constexpr float kVerticalDeadZone = 0.5F;
 
-  /// Returns the changes since the last call. A key is down while it is down on any of `gamepads`; a gamepad that is
-  /// disconnected releases its keys.
+  /// Returns the changes since the last call. A gamepad that is disconnected releases its keys.
   std::vector<KeyEvent> update(std::span<const GamepadState> gamepads);
 
-  /// Whether the gamepad on which a key was down last has been disconnected since the last call.
-  bool takeLost() { return std::exchange(lost_, false); }
+  /// The ids of the gamepads with which somebody has played and that have been disconnected since the last call.
+  std::vector<int> takeLost() { return std::exchange(lost_, {}); }
 
  private:
-  void noteUsed(std::span<const GamepadState> gamepads);
+  struct Known {
+    std::bitset<kKeyCount> down;
+    bool used = false;  // a key was down
+  };
 
-  std::bitset<kKeyCount> down_;
-  std::optional<int> used_;  // id of the gamepad on which a key was down last
-  bool lost_ = false;
+  std::map<int, Known> known_;  // the connected gamepads by id
+  std::vector<int> lost_;
 };
 
 /// Repeats the direction of the gamepad that is held, as keyboards repeat their keys.

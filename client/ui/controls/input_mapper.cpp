@@ -39,6 +39,8 @@ std::optional<Action> fixedActionOf(const KeyEvent& event, bool menuOpen) {
       return menuOpen ? std::nullopt : std::optional(Action::kOpenMenu);
     case Key::kF1:
       return menuOpen ? std::nullopt : std::optional(Action::kToggleHelp);
+    case Key::kF2:
+      return menuOpen ? std::nullopt : std::optional(Action::kJoin);
     case Key::kF3:
       return menuOpen ? std::nullopt : std::optional(Action::kToggleNetGraph);
     case Key::kF11:
@@ -52,14 +54,21 @@ std::optional<Action> fixedActionOf(const KeyEvent& event, bool menuOpen) {
   }
 }
 
+// Of the keys that have their meaning as long as no control has them.
+std::optional<Action> unboundActionOf(Key key) {
+  if (key == Key::kEnter) return Action::kGoOn;
+  return key == Key::kPadRightTrigger ? std::optional(Action::kJoin) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) {
   if (event.kind == KeyEvent::Kind::kCharacter) return std::nullopt;
   const auto index = static_cast<std::size_t>(event.key);
   if (menuOpen) pressed_.reset();
-  if (event.kind == KeyEvent::Kind::kRelease) held_.reset(index);
+  if (event.kind == KeyEvent::Kind::kRelease && holders_[index] > 0) held_.set(index, --holders_[index] > 0);
   if (event.kind == KeyEvent::Kind::kPress && !menuOpen) {
+    ++holders_[index];
     held_.set(index);
     pressed_.set(index);
   }
@@ -69,10 +78,16 @@ std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) 
 std::optional<Action> InputMapper::press(const KeyEvent& event, bool menuOpen) {
   if (const std::optional<Action> action = fixedActionOf(event, menuOpen)) return action;
   const std::optional<Control> control = menuOpen ? std::nullopt : bindings_.controlOf(event.key);
-  if (!control) return event.key == Key::kEnter && !menuOpen ? std::optional(Action::kGoOn) : std::nullopt;
+  if (!control) return menuOpen ? std::nullopt : unboundActionOf(event.key);
   if (control == Control::kSlow) slow_ = toggled_.slow && !slow_;
   if (control == Control::kLook) looking_ = toggled_.look && !looking_;
   return actionOf(*control);
+}
+
+void InputMapper::release() {
+  held_.reset();
+  pressed_.reset();
+  holders_.fill(0);
 }
 
 void InputMapper::configure(const Bindings& bindings, const ToggledControls& toggled) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,7 @@ enum class Action : std::uint8_t {
   kToggleFullscreen,
   kToggleVote,
   kGoOn,
+  kJoin,  ///< another player joins with this device, or leaves
   kWatchNext,
   kSay,
   kEmote1,  ///< the emotes are in the order of their numbers
@@ -60,6 +62,9 @@ class InputMapper {
   /// once a tick.
   HeldKeys takeHeld();
 
+  /// All keys count as released.
+  void release();
+
   /// How the player looks round: with its key and a direction, or with the right stick.
   LookInput look() const;
 
@@ -71,8 +76,9 @@ class InputMapper {
   ToggledControls toggled_;
   bool slow_ = false;  // toggled on, as the next one
   bool looking_ = false;
-  std::bitset<kKeyCount> held_;     // pressed while the menu was closed, not released yet
-  std::bitset<kKeyCount> pressed_;  // since the last takeHeld
+  std::bitset<kKeyCount> held_;                    // pressed while the menu was closed, not released yet
+  std::array<std::uint8_t, kKeyCount> holders_{};  // on how many devices
+  std::bitset<kKeyCount> pressed_;                 // since the last takeHeld
 };
 
 /// Turns held keys into the player's input.

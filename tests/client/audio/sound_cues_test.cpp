@@ -469,12 +469,12 @@ Input jumping(std::uint32_t tick) {
 TEST(SoundCues, ReconciliationRepeatsNoCue) {
   constexpr std::uint32_t kSeconds = 60;
   constexpr std::uint32_t kRoundTrip = 15;
-  Prediction prediction(Game(endlessLevel()), 0);
+  Prediction prediction(Game(endlessLevel()), {0});
   const SolidMesh mesh(SolidKind::kHexahedron, 480);
   SoundCues cues;
   std::map<Sound, std::uint32_t> heard;
   for (std::uint32_t tick = 0; tick < kSeconds * kTicksPerSecond; ++tick) {
-    prediction.predict(jumping(tick));
+    prediction.predict({jumping(tick)});
     if (tick >= kRoundTrip) {
       const std::uint32_t confirmed = tick - kRoundTrip;
       const Input late = jumping(confirmed - std::min(confirmed, confirmed / kTicksPerSecond % 4));

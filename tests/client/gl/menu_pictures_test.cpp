@@ -108,7 +108,7 @@ TEST_F(MenuPicturesTest, Levels) {
 
 TEST_F(MenuPicturesTest, SeveralPlayers) {
   resize(960, 540);
-  expectPageAbove("several_players", severalPlayersPage(entries()[4], {[] {}, [] {}}));
+  expectPageAbove("several_players", severalPlayersPage(entries()[4], {[] {}, [] {}, [] {}}));
 }
 
 TEST_F(MenuPicturesTest, Join) {

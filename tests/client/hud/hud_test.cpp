@@ -355,9 +355,10 @@ TEST(Hud, InALongFallARingShowsWhereTheOwnBallIs) {
 TEST(Hud, ShowsThatTheLevelNeedsMorePlayers) {
   Scene scene = sceneOf(1);
   scene.neededPlayers = 2;
-  EXPECT_TRUE(find(hudOf(scene), "This level needs 2 players. V: next level"));
+  EXPECT_TRUE(find(hudOf(scene), "This level needs 2 players. F2: another one joins here · V: next level"));
   scene.needsRestart = true;
-  EXPECT_FALSE(find(hudOf(scene), "This level needs 2 players. V: next level")) << "one hint at a time";
+  EXPECT_FALSE(find(hudOf(scene), "This level needs 2 players. F2: another one joins here · V: next level"))
+      << "one hint at a time";
 }
 
 // Columns: key, button of a gamepad, meaning.

@@ -150,7 +150,7 @@ TEST(MenuLayout, ThePagesOfSettingsAndKeysShowAllTheirTexts) {
     settings.controls = turned ? ControlFrame::kScreen : ControlFrame::kPlayer;
     settings.comfort.view = turned ? CameraView::kFaceFade : CameraView::kFollow;
     for (const MenuPage::Place place : {MenuPage::Place::kMiddle, MenuPage::Place::kLeft}) {
-      MenuPage page = settingsPage(settings, [] {});
+      MenuPage page = settingsPage(settings, SubPages());
       page.place = place;
       expectReal(page);
     }
@@ -177,7 +177,7 @@ std::string textIn(const MenuBox& box, const Overlay& menu) {
 
 TEST(MenuLayout, BelowTheSettingsStandsWhatTheOneWithTheFocusDoes) {
   Settings settings;
-  const MenuPage page = settingsPage(settings, [] {});
+  const MenuPage page = settingsPage(settings, SubPages());
   for (const glm::vec2 screen : pictures()) {
     for (std::size_t focus = 0; focus < page.items.size(); ++focus) {
       if (!page.items[focus].canHaveFocus()) continue;

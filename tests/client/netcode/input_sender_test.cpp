@@ -14,7 +14,7 @@ constexpr std::uint32_t kRound = 7;
 Input pressing(std::uint32_t tick) { return {static_cast<std::uint8_t>(Input::kPresent | tick % 8)}; }
 
 void addTicks(InputSender& sender, std::uint32_t from, std::uint32_t to) {
-  for (std::uint32_t tick = from; tick < to; ++tick) sender.add(tick, pressing(tick));
+  for (std::uint32_t tick = from; tick < to; ++tick) sender.add(tick, {pressing(tick)});
 }
 
 TEST(InputSender, ReportsTheConfirmedStateBeforeTheFirstInput) {
@@ -70,6 +70,47 @@ TEST(InputSender, AcceptsTicksUpToTheLargest) {
   EXPECT_EQ(decodeToServer(encode(*message)), ToServer(*message));
 }
 
+TEST(InputSender, SendsTheInputsOfACompanionFromItsFirstTickOn) {
+  InputSender sender(kRound);
+  addTicks(sender, 20, 23);
+  for (std::uint32_t tick = 23; tick < 26; ++tick) sender.add(tick, {pressing(tick), {}, pressing(tick + 1)});
+  const auto first = sender.takeMessage(milliseconds(0), {12, 0, 0});
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->inputs.size(), 6U);
+  EXPECT_EQ(first->companions, (std::vector<CompanionInputs>{{2, 23, {pressing(24), pressing(25), pressing(26)}}}));
+  sender.sendSoon();
+  const auto confirmed = sender.takeMessage(milliseconds(1), {25, 0, 0});
+  EXPECT_EQ(confirmed->companions, (std::vector<CompanionInputs>{{2, 25, {pressing(26)}}}));
+  sender.sendSoon();
+  EXPECT_TRUE(sender.takeMessage(milliseconds(2), {26, 0, 0})->companions.empty());
+}
+
+TEST(InputSender, WhoHasLeftSendsNothingAndBeginsAnewWhenItReturns) {
+  InputSender sender(kRound);
+  for (std::uint32_t tick = 0; tick < 4; ++tick) sender.add(tick, {pressing(tick), pressing(1)});
+  addTicks(sender, 4, 6);
+  EXPECT_TRUE(sender.takeMessage(milliseconds(0), {0, 0, 0})->companions.empty());
+  sender.add(6, {pressing(6), pressing(2)});
+  const auto message = sender.takeMessage(milliseconds(16), {0, 0, 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->companions, (std::vector<CompanionInputs>{{1, 6, {pressing(2)}}}));
+}
+
+TEST(InputSender, TheLongestMessageOfAllPlayersIsWithinTheLargestSize) {
+  InputSender sender(kRound);
+  for (std::uint32_t tick = 0; tick < 1000; ++tick) {
+    InputsByLocal inputs;
+    inputs.fill(pressing(tick % 2));
+    sender.add(tick, inputs);
+  }
+  const auto message = sender.takeMessage(milliseconds(0), {700, 0, 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->companions.size(), kMaxLocalPlayers - 1);
+  EXPECT_EQ(message->companions.back().inputs.size(), kMaxInputsPerMessage);
+  EXPECT_LE(encode(*message).size(), kMaxMessageBytes);
+  EXPECT_EQ(decodeToServer(encode(*message)), ToServer(*message));
+}
+
 TEST(InputSender, SendSoonSendsWithoutANewInput) {
   InputSender sender(kRound);
   sender.takeMessage(milliseconds(0), {});
@@ -88,7 +129,7 @@ class SendScheduleTest : public testing::Test {
   std::vector<std::uint32_t> play(const std::vector<Input>& inputs) {
     std::vector<std::uint32_t> sent;
     for (const Input input : inputs) {
-      schedule_.addInput(input);
+      schedule_.addInputs({input});
       ++ticks_;
       if (!due()) continue;
       sent.push_back(ticks_);
@@ -121,7 +162,7 @@ TEST_F(SendScheduleTest, SendsEvery80MillisecondsWithoutInputs) {
 TEST_F(SendScheduleTest, RepeatsOnlyWithANewInput) {
   play({kLeft});
   EXPECT_FALSE(due());  // although two repetitions remain
-  schedule_.addInput(kLeft);
+  schedule_.addInputs({kLeft});
   EXPECT_FALSE(due());  // for a tick that has been sent
   ++ticks_;
   EXPECT_TRUE(due());

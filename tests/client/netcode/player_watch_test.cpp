@@ -10,6 +10,7 @@
 
 #include "platon/game/game.h"
 #include "tests/levels/shipped_level.h"
+#include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/test_levels.h"
 
@@ -372,6 +373,32 @@ TEST(PlayerFlashes, EachShowsAtItsOwnTick) {
     EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kMinAirTicks + 1)), 1) << landing;
     EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kMinAirTicks + 1) - 1), 0) << landing;
   }
+}
+
+// Two players of a level whose time they share: the first input starts it, and the first at the goal ends it.
+TEST(TeamTime, ATeamStartsAndArrivesWithTheFirstOfThem) {
+  Game game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200\n-100 -200 -60 -200 plate 1"}, "0 100 -190"));
+  AttemptTime team;
+  AttemptTime other;
+  std::uint32_t ticks = 0;
+  const auto advance = [&](std::uint8_t first, std::uint8_t second) {
+    const auto present = [](std::uint8_t buttons) {
+      return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)};
+    };
+    game.advance(std::vector<Input>{present(first), present(second)});
+    team.observe(++ticks, teamOf(game));
+    other.observe(ticks, game.player(1));
+  };
+  for (int tick = 0; tick < 30; ++tick) advance(0, 0);
+  EXPECT_EQ(team.ticks(), 0U);
+  for (int tick = 0; tick < 5; ++tick) advance(Input::kLeft, 0);
+  EXPECT_EQ(team.ticks(), 5U);
+  while (!team.arrived() && ticks < 300) advance(Input::kRight, 0);
+  ASSERT_TRUE(team.arrived());
+  EXPECT_EQ(team.ticks(), game.player(0).finishTicks);
+  for (int tick = 0; tick < 9; ++tick) advance(0, Input::kLeft);
+  EXPECT_EQ(team.ticks(), game.player(0).finishTicks) << "it stands still";
+  EXPECT_FALSE(other.arrived());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <random>
@@ -29,7 +30,7 @@ Game expectedPrediction(const Prediction& prediction) {
   for (std::uint32_t tick = prediction.confirmedTicks(); tick < prediction.predictedTicks(); ++tick) {
     Inputs inputs(prediction.held().begin(), prediction.held().end());
     inputs.resize(std::max<std::size_t>(inputs.size(), kLocal + 1));
-    inputs[kLocal] = prediction.localInput(tick);
+    inputs[kLocal] = prediction.localInputs(tick)[0];
     game.advance(inputs);
   }
   return game;
@@ -39,18 +40,18 @@ TEST(Prediction, EqualsTheConfirmedGameAdvancedWithLocalInputs) {
   std::mt19937 random(5);
   ButtonPresser local(1), other(2);
   Game server(flatLevel());
-  Prediction prediction(server, kLocal);
+  Prediction prediction(server, {kLocal});
   std::uint32_t ahead = 0;
   for (int step = 0; step < 1500; ++step) {
     if (prediction.predictedTicks() - prediction.confirmedTicks() < ahead + 1) {
       ASSERT_TRUE(prediction.mayPredict());
-      prediction.predict(present(local.next().buttons));
+      prediction.predict({present(local.next().buttons)});
     }
     if (random() % 40 == 0) ahead = static_cast<std::uint32_t>(random() % 30);
     for (auto batch = random() % 3; batch > 0; --batch) {
       if (prediction.confirmedTicks() >= prediction.predictedTicks()) break;
       // Now and then the server decides another local input, as for one that arrived too late.
-      const Input decided = random() % 50 == 0 ? present(0) : prediction.localInput(prediction.confirmedTicks());
+      const Input decided = random() % 50 == 0 ? present(0) : prediction.localInputs(prediction.confirmedTicks())[0];
       const Inputs inputs = {present(other.next().buttons), decided};
       server.advance(inputs);
       prediction.confirm(inputs);
@@ -63,26 +64,99 @@ TEST(Prediction, EqualsTheConfirmedGameAdvancedWithLocalInputs) {
   EXPECT_GT(prediction.statistics().missedInputs, 0u);
 }
 
+// Companions come, leave, and come back in other slots; inputs are late now and then.
+TEST(Prediction, EqualsTheConfirmedGameWithTheInputsOfAllLocalPlayers) {
+  std::mt19937 random(6);
+  std::array<ButtonPresser, kMaxLocalPlayers> local{ButtonPresser(1), ButtonPresser(2), ButtonPresser(3),
+                                                    ButtonPresser(4)};
+  ButtonPresser other(5);
+  Game server(flatLevel());
+  Prediction prediction(server, {kLocal});
+  std::uint32_t corrections = 0;
+  for (int step = 0; step < 3000; ++step) {
+    if (random() % 100 == 0) {
+      SlotsByLocal slots{kLocal};
+      for (std::uint32_t i = 1; i < kMaxLocalPlayers; ++i)
+        if (random() % 2 == 0) slots[i] = 2 + 3 * (random() % 2) + (i - 1);
+      prediction.setSlots(slots);
+      prediction.reconcile(kNow);
+      corrections = prediction.statistics().corrections;
+    }
+    const SlotsByLocal slots = prediction.slots();
+    if (prediction.predictedTicks() - prediction.confirmedTicks() < 12) {
+      InputsByLocal inputs;
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (slots[i]) inputs[i] = present(local[i].next().buttons);
+      prediction.predict(inputs);
+    } else {
+      Inputs inputs(8);
+      inputs[0] = present(other.next().buttons);
+      const InputsByLocal& predicted = prediction.localInputs(prediction.confirmedTicks());
+      for (std::size_t i = 0; i < predicted.size(); ++i)
+        if (slots[i] && predicted[i].has(Input::kPresent))
+          inputs[*slots[i]] = random() % 50 == 0 ? present(0) : predicted[i];
+      server.advance(inputs);
+      prediction.confirm(inputs);
+      prediction.reconcile(kNow);
+    }
+    Game expected = prediction.confirmed();
+    for (std::uint32_t tick = prediction.confirmedTicks(); tick < prediction.predictedTicks(); ++tick) {
+      Inputs inputs(prediction.held().begin(), prediction.held().end());
+      for (std::size_t i = 0; i < slots.size(); ++i)
+        if (slots[i] && prediction.localInputs(tick)[i].has(Input::kPresent))
+          inputs[*slots[i]] = prediction.localInputs(tick)[i];
+      expected.advance(inputs);
+    }
+    ASSERT_EQ(prediction.confirmed().hash(), server.hash()) << "step " << step;
+    ASSERT_EQ(prediction.predicted().hash(), expected.hash()) << "step " << step;
+  }
+  EXPECT_GT(corrections, 0U);
+  EXPECT_GT(prediction.statistics().missedInputs, 0U);
+}
+
+TEST(Prediction, WhoTakesALocalNumberOverHasNoInputsOfTheOneBefore) {
+  Prediction prediction(Game(flatLevel()), {0, 1});
+  for (int tick = 0; tick < 9; ++tick) prediction.predict({present(0), present(Input::kRight)});
+  prediction.setSlots({0, 2});
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.predictedTicks(), 9U);
+  EXPECT_EQ(prediction.localInputs(3)[1], Input());
+  EXPECT_TRUE(prediction.predicted().slots() < 2 || prediction.predicted().player(1).present == 0);
+  EXPECT_TRUE(prediction.predicted().slots() < 3 || prediction.predicted().player(2).present == 0);
+}
+
+TEST(Prediction, EachLocalPlayerHasItsOwnCorrections) {
+  Prediction prediction(Game(flatLevel()), {0, 1});
+  const InputsByLocal resting{present(0), present(0)};
+  for (int tick = 0; tick < 9; ++tick) prediction.predict(resting);
+  prediction.confirm(Inputs{present(0), present(Input::kRight)});
+  prediction.confirm(Inputs{present(0), present(Input::kRight)});
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.statistics().missedInputs, 1U) << "in the first tick, nobody is present before it";
+  EXPECT_EQ(prediction.smoothing(0, kNow), Point());
+  EXPECT_NE(prediction.smoothing(1, kNow), Point());
+}
+
 TEST(Prediction, NeedsNoCorrectionWhenInputsArriveInTime) {
   ButtonPresser local(3), other(4);
-  Prediction prediction(Game(flatLevel()), kLocal);
+  Prediction prediction(Game(flatLevel()), {kLocal});
   for (int tick = 0; tick < 600; ++tick) {
-    prediction.predict(present(local.next().buttons));
+    prediction.predict({present(local.next().buttons)});
     if (tick < 12) continue;
-    const Inputs inputs = {present(other.next().buttons), prediction.localInput(prediction.confirmedTicks())};
+    const Inputs inputs = {present(other.next().buttons), prediction.localInputs(prediction.confirmedTicks())[0]};
     prediction.confirm(inputs);
     prediction.reconcile(kNow);
   }
   EXPECT_EQ(prediction.statistics().corrections, 0u);
   EXPECT_EQ(prediction.statistics().missedInputs, 0u);
   EXPECT_EQ(prediction.statistics().confirmedTicks, 588u);
-  EXPECT_EQ(prediction.smoothing(kNow), Point());
+  EXPECT_EQ(prediction.smoothing(0, kNow), Point());
 }
 
 // The law: each tick of a game counts once per player, and the replays stay within a limit.
 TEST(Prediction, CountsItsWork) {
-  Prediction prediction(Game(endlessLevel()), kLocal);
-  for (int tick = 0; tick < 10; ++tick) prediction.predict(present(0));
+  Prediction prediction(Game(endlessLevel()), {kLocal});
+  for (int tick = 0; tick < 10; ++tick) prediction.predict({present(0)});
   EXPECT_EQ(prediction.work(), 10u);
   prediction.confirm(Inputs{present(Input::kLeft), present(0), present(0)});
   EXPECT_EQ(prediction.work(), 10u + 3);
@@ -93,13 +167,13 @@ TEST(Prediction, CountsItsWork) {
 }
 
 TEST(Prediction, PredictsFewerTicksWithManyPlayers) {
-  Prediction prediction(Game(endlessLevel()), kLocal);
-  while (prediction.mayPredict()) prediction.predict(present(0));
+  Prediction prediction(Game(endlessLevel()), {kLocal});
+  while (prediction.mayPredict()) prediction.predict({present(0)});
   EXPECT_EQ(prediction.predictedTicks(), Prediction::kMaxAhead);
   for (const std::uint32_t players : {kMaxPlayers, 100u, 64u}) {
     prediction.confirm(Inputs(players, present(0)));
     prediction.reconcile(kNow);
-    while (prediction.mayPredict()) prediction.predict(present(0));
+    while (prediction.mayPredict()) prediction.predict({present(0)});
     EXPECT_EQ(prediction.predictedTicks() - prediction.confirmedTicks(), Prediction::kMaxWorkAhead / players);
   }
 }
@@ -111,11 +185,11 @@ std::shared_ptr<const Level> rotatedLevel() {
 
 // Predicts ten ticks of running right; the server decides that nothing was pressed in the first one.
 Prediction corrected(const std::shared_ptr<const Level>& level = flatLevel()) {
-  Prediction prediction(Game(level), kLocal);
+  Prediction prediction(Game(level), {kLocal});
   const Inputs standing = {Input{}, present(0)};
   for (int tick = 0; tick < 60; ++tick) prediction.confirm(standing);
   prediction.reconcile(kNow);
-  for (int tick = 0; tick < 10; ++tick) prediction.predict(present(Input::kRight));
+  for (int tick = 0; tick < 10; ++tick) prediction.predict({present(Input::kRight)});
   prediction.confirm(standing);
   return prediction;
 }
@@ -131,10 +205,10 @@ TEST(Prediction, MeasuresAndSmoothsACorrection) {
   EXPECT_EQ(prediction.statistics().missedInputs, 1u);
   EXPECT_EQ(prediction.statistics().maxSubunits, before.x - after.x);
   // The drawn position does not jump, and equals the prediction after 100 ms.
-  EXPECT_EQ(after + prediction.smoothing(kNow), before);
-  const Point half = prediction.smoothing(kNow + ErrorSmoothing::kDuration / 2);
+  EXPECT_EQ(after + prediction.smoothing(0, kNow), before);
+  const Point half = prediction.smoothing(0, kNow + ErrorSmoothing::kDuration / 2);
   EXPECT_NEAR(half.x, (before.x - after.x) / 2, 1);
-  EXPECT_EQ(prediction.smoothing(kNow + ErrorSmoothing::kDuration), Point());
+  EXPECT_EQ(prediction.smoothing(0, kNow + ErrorSmoothing::kDuration), Point());
 }
 
 TEST(Prediction, ACorrectionIsInTheFrameOfARotatedPlayer) {
@@ -144,21 +218,21 @@ TEST(Prediction, ACorrectionIsInTheFrameOfARotatedPlayer) {
   const Point after = prediction.predicted().world().entities()[kLocal].position;
   EXPECT_EQ(before.x, after.x);
   ASSERT_GT(before.y, after.y);  // the player's right
-  EXPECT_EQ(prediction.smoothing(kNow), Point(before.y - after.y, 0));
+  EXPECT_EQ(prediction.smoothing(0, kNow), Point(before.y - after.y, 0));
 }
 
 TEST(Prediction, StopsFourSecondsAhead) {
-  Prediction prediction(Game(flatLevel()), kLocal);
+  Prediction prediction(Game(flatLevel()), {kLocal});
   for (std::uint32_t tick = 0; tick < Prediction::kMaxAhead; ++tick) {
     ASSERT_TRUE(prediction.mayPredict());
-    prediction.predict(present(0));
+    prediction.predict({present(0)});
   }
   EXPECT_FALSE(prediction.mayPredict());
   EXPECT_EQ(prediction.predictedTicks(), Prediction::kMaxAhead);
 }
 
 TEST(Prediction, FollowsAServerThatIsAhead) {
-  Prediction prediction(Game(flatLevel()), kLocal);
+  Prediction prediction(Game(flatLevel()), {kLocal});
   const Inputs inputs = {present(Input::kLeft), present(Input::kRight)};
   for (int tick = 0; tick < 50; ++tick) prediction.confirm(inputs);
   prediction.reconcile(kNow);
@@ -170,8 +244,8 @@ TEST(Prediction, RestoresTheServersState) {
   Game server(flatLevel());
   const Inputs inputs = {present(Input::kRight), present(Input::kRight), present(Input::kJump)};
   for (int tick = 0; tick < 100; ++tick) server.advance(inputs);
-  Prediction prediction(Game(flatLevel()), kLocal);
-  for (int tick = 0; tick < 105; ++tick) prediction.predict(present(0));
+  Prediction prediction(Game(flatLevel()), {kLocal});
+  for (int tick = 0; tick < 105; ++tick) prediction.predict({present(0)});
   ASSERT_TRUE(prediction.restore(server.save(), 100, inputs));
   prediction.reconcile(kNow);
   EXPECT_EQ(prediction.confirmedTicks(), 100u);
@@ -181,7 +255,7 @@ TEST(Prediction, RestoresTheServersState) {
 }
 
 TEST(Prediction, RefusesAnInvalidState) {
-  Prediction prediction(Game(flatLevel()), kLocal);
+  Prediction prediction(Game(flatLevel()), {kLocal});
   const std::uint64_t hash = prediction.confirmed().hash();
   const std::vector<std::uint8_t> invalid(17, 0xee);
   EXPECT_FALSE(prediction.restore(invalid, 5, {}));
@@ -192,14 +266,14 @@ TEST(Prediction, RefusesAnInvalidState) {
 // The tick of a full state comes from the server, so it may have any value.
 TEST(Prediction, StopsAtTheLargestTick) {
   Game server(flatLevel());
-  Prediction prediction(server, kLocal);
-  for (int tick = 0; tick < 5; ++tick) prediction.predict(present(0));
+  Prediction prediction(server, {kLocal});
+  for (int tick = 0; tick < 5; ++tick) prediction.predict({present(0)});
   ASSERT_TRUE(prediction.restore(server.save(), UINT32_MAX - 3, {}));
   prediction.reconcile(kNow);
   EXPECT_EQ(prediction.predictedTicks(), UINT32_MAX - 3);
   for (int tick = 0; tick < 3; ++tick) {
     ASSERT_TRUE(prediction.mayPredict());
-    prediction.predict(present(0));
+    prediction.predict({present(0)});
   }
   EXPECT_FALSE(prediction.mayPredict());
   ASSERT_TRUE(prediction.restore(server.save(), UINT32_MAX - 3, {}));

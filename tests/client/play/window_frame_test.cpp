@@ -60,7 +60,7 @@ class WindowFrameTest : public WindowPlayTest {
   // Rows with a focus above this one.
   static std::ptrdiff_t rowsAbove(const std::string& name) {
     Settings settings;
-    const std::vector<MenuItem> items = settingsPage(settings, [] {}).items;
+    const std::vector<MenuItem> items = settingsPage(settings, SubPages()).items;
     const auto row = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
     return std::count_if(items.begin(), row, [](const auto& item) { return item.canHaveFocus(); });
   }

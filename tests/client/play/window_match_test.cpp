@@ -117,7 +117,7 @@ TEST_F(WindowMatchTest, AServerThatStopsLeadsToTheOneThatItNames) {
   };
   play({{[] {}, [this] { return inGame() && isOnGround(); }},
         {stop, [&] { return shows("Join " + next); }},
-        {[&] { clickOn("Join " + next); }, [&] { return inGame() && isOnGround() && other.players() == 1; }}});
+        {[&] { clickOn("Join " + next); }, [&] { return inGame() && isOnGround() && other.clients() == 1; }}});
   EXPECT_TRUE(stepsDone_);
   EXPECT_EQ(server.wait(), 0);
 }
@@ -213,10 +213,10 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
   };
   // Joins when the window is open: until then nobody would update her, and her server might give her up.
   play({{[&] { grace.emplace(named, MatchChoice{.server = server.address()}, steadyClock()); },
-         [&] { return meanwhile(shows("Join a server") && server.players() == 1); }},
+         [&] { return meanwhile(shows("Join a server") && server.clients() == 1); }},
         {[this] { clickOn("Join a server"); }, [&] { return meanwhile(shows("Address")); }},
         {[&] { xdotool("type " + address); }, [&] { return meanwhile(true); }},
-        {[this] { clickOn("Join"); }, [&] { return meanwhile(server.players() == 2 && isOnGround() && inGame()); }},
+        {[this] { clickOn("Join"); }, [&] { return meanwhile(server.clients() == 2 && isOnGround() && inGame()); }},
         {[] { xdotool("key t"); }, [&] { return meanwhile(shows("Send")); }},
         {[] { xdotool("type hello"); }, [&] { return meanwhile(true); }},
         {[] { xdotool("key Return"); }, [&] { return meanwhile(hears(*grace, ": hello") && inGame()); }},
@@ -230,7 +230,7 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(inGame()); }},
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(shows("Return to the title")); }},
         {[this] { clickOn("Return to the title"); },
-         [&] { return meanwhile(match() == nullptr && server.players() == 1); }}});
+         [&] { return meanwhile(match() == nullptr && server.clients() == 1); }}});
   EXPECT_TRUE(stepsDone_);
 }
 

@@ -220,7 +220,7 @@ TEST_F(WindowPlayTest, AMinimisedWindowDrawsNothingAndPlaysOn) {
 
 TEST_F(WindowPlayTest, AChosenKeyJumps) {
   Settings settings;
-  const std::vector<MenuItem> items = settingsPage(settings, [] {}).items;
+  const std::vector<MenuItem> items = settingsPage(settings, SubPages()).items;
   const auto row = std::find_if(items.begin(), items.end(), [](const auto& item) { return item.name == kKeysItem; });
   const auto above = std::count_if(items.begin(), row, [](const auto& item) { return item.canHaveFocus(); });
   const auto grounded = [this] { return isOnGround() == std::optional(true); };

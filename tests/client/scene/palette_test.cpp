@@ -144,18 +144,32 @@ TEST(Palette, AnyTwoPlayersDifferWhateverTheLocalPlayerHasChosen) {
     const BallChoice own{choice % kBallColours, static_cast<BallPattern>(choice / kBallColours)};
     const std::uint32_t local = choice * 7 % kAppearances;
     std::vector<BallAppearance> appearances;
-    for (std::uint32_t slot = 0; slot < kAppearances; ++slot) appearances.push_back(appearanceOf(slot, local, own));
+    for (std::uint32_t slot = 0; slot < kAppearances; ++slot)
+      appearances.push_back(appearanceOf(slot, std::array{OwnBall{local, own}}));
     EXPECT_EQ(appearances[local], (BallAppearance{*own.colour, *own.pattern}));
     expectDifferent(appearances);
   }
 }
 
+// Four who choose among few colours, so that each often wants what another one has.
+TEST(Palette, AnyTwoPlayersDifferWhateverSeveralLocalPlayersHaveChosen) {
+  for (std::uint32_t choice = 0; choice < 81; ++choice) {
+    std::vector<OwnBall> own;
+    for (std::uint32_t i = 0, rest = choice; i < 4; ++i, rest /= 3)
+      own.push_back({i * 5 % 7, {rest % 3, BallPattern::kSpots}});
+    std::vector<BallAppearance> appearances;
+    for (std::uint32_t slot = 0; slot < kAppearances; ++slot) appearances.push_back(appearanceOf(slot, own));
+    EXPECT_EQ(appearances[own[3].slot], (BallAppearance{*own[3].choice.colour, BallPattern::kSpots})) << choice;
+    expectDifferent(appearances);
+  }
+}
+
 TEST(Palette, AChoiceMayBeOfTheColourOrThePatternAlone) {
-  EXPECT_EQ(appearanceOf(3, 3, {}), appearanceOfSlot(3));
-  EXPECT_EQ(appearanceOf(3, 3, {.colour = 1}), (BallAppearance{1, appearanceOfSlot(3).pattern}));
-  EXPECT_EQ(appearanceOf(3, 3, {.pattern = BallPattern::kBelt}),
+  EXPECT_EQ(appearanceOf(3, std::array{OwnBall{3, {}}}), appearanceOfSlot(3));
+  EXPECT_EQ(appearanceOf(3, std::array{OwnBall{3, {.colour = 1}}}), (BallAppearance{1, appearanceOfSlot(3).pattern}));
+  EXPECT_EQ(appearanceOf(3, std::array{OwnBall{3, {.pattern = BallPattern::kBelt}}}),
             (BallAppearance{appearanceOfSlot(3).colour, BallPattern::kBelt}));
-  EXPECT_EQ(appearanceOf(4, 3, {}), appearanceOfSlot(4));
+  EXPECT_EQ(appearanceOf(4, std::array{OwnBall{3, {}}}), appearanceOfSlot(4));
 }
 
 }  // namespace

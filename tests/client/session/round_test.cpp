@@ -70,7 +70,7 @@ class RoundTest : public testing::Test {
   }
 
   Server server_;
-  Round round_{kId, endlessLevel(), kSlot, 6};
+  Round round_{kId, endlessLevel(), {kSlot}, 6};
   Time now_{};
 };
 

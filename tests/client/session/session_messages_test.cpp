@@ -34,6 +34,76 @@ class SessionMessages : public testing::Test {
   Session session_{"x", Time(0), memory()};
 };
 
+/// What the session has asked of companions since the last call.
+std::vector<Companion> askedOf(Session& session) {
+  std::vector<Companion> asked;
+  for (const OutgoingMessage& message : session.takeOutgoing()) {
+    const auto decoded = decodeToServer(message.bytes);
+    if (decoded && std::holds_alternative<Companion>(*decoded)) asked.push_back(std::get<Companion>(*decoded));
+  }
+  return asked;
+}
+
+TEST_F(SessionMessages, ACompanionPlaysOnceItHasASlot) {
+  session_.setCompanion(2, "Ben");
+  session_.setCompanion(2, "Ben");
+  EXPECT_EQ(askedOf(session_), (std::vector<Companion>{{2, true, "Ben"}}));
+  EXPECT_EQ(session_.slots(), (SlotsByLocal{0}));
+  receive(LocalSlots{{0, {}, 3}});
+  EXPECT_EQ(session_.slots(), (SlotsByLocal{0, {}, 3}));
+  EXPECT_EQ(session_.round()->prediction().slots(), (SlotsByLocal{0, {}, 3}));
+  session_.setCompanion(2, std::nullopt);
+  EXPECT_EQ(askedOf(session_), (std::vector<Companion>{{2, false, ""}}));
+  receive(LocalSlots{{0}});
+  EXPECT_EQ(session_.round()->prediction().slots(), (SlotsByLocal{0}));
+  EXPECT_FALSE(session_.takeNotice());
+}
+
+TEST_F(SessionMessages, ARefusalIsToldAndConcernsTheOldestRequest) {
+  session_.setCompanion(1, "Ben");
+  session_.setCompanion(2, "Cid");
+  receive(LocalSlots{{0}, "the server is full"});
+  EXPECT_EQ(session_.takeNotice(), "the server is full");
+  EXPECT_EQ(session_.companions(), (NamesByLocal{{{}, {}, "Cid"}}));
+  receive(LocalSlots{{0, {}, 1}});
+  EXPECT_EQ(session_.companions(), (NamesByLocal{{{}, {}, "Cid"}}));
+}
+
+TEST_F(SessionMessages, ARemovedCompanionDoesNotComeAgain) {
+  session_.setCompanion(1, "Ben");
+  receive(LocalSlots{{0, 2}});
+  session_.setCompanion(2, "Cid");
+  receive(LocalSlots{{0}, "removed by the operator"});
+  EXPECT_EQ(session_.takeNotice(), "removed by the operator");
+  EXPECT_EQ(session_.companions(), (NamesByLocal{{{}, {}, "Cid"}})) << "its request is not answered yet";
+}
+
+TEST_F(SessionMessages, CompanionsComeAgainWithTheNextSession) {
+  session_.setCompanion(1, "Ben");
+  session_.setCompanion(3, "");
+  receive(LocalSlots{{0, 2}});
+  receive(LocalSlots{{0, 2, {}, 1}});
+  session_.connectionLost("gone");
+  Session next("x", Time(0), session_.memory());
+  EXPECT_TRUE(askedOf(next).empty()) << "not before Welcome";
+  next.receive(encode(Welcome{0, kRound, endlessLevel()->hash, 4, kTicksPerSecond, ""}), Time(0));
+  EXPECT_EQ(askedOf(next), (std::vector<Companion>{{1, true, "Ben"}, {3, true, ""}}));
+}
+
+TEST(SessionCompanions, SlotsThatThereAreNotEndTheSession) {
+  const auto endingAfter = [](const LocalSlots& slots, bool isWelcome = true) {
+    Session session("x", Time(0));
+    if (isWelcome) session.receive(encode(Welcome{2, 1, 17, 4, kTicksPerSecond, ""}), Time(0));
+    session.receive(encode(slots), Time(0));
+    return session.ending() ? session.ending()->reason : std::string();
+  };
+  const std::string error = "protocol error: the server gives slots that there are not";
+  EXPECT_EQ(endingAfter({{2, 3}}), "");
+  EXPECT_EQ(endingAfter({{2, 4}}), error);
+  EXPECT_EQ(endingAfter({{1, 3}}), error) << "another slot of the first player";
+  EXPECT_EQ(endingAfter({{2}}, false), error) << "before Welcome";
+}
+
 TEST_F(SessionMessages, TicksOfAnotherRoundAreIgnored) {
   receive(ConfirmedTicks{kRound + 1, 0, 5, 0, std::nullopt, {}});
   EXPECT_EQ(confirmed(), 0u);

@@ -21,12 +21,12 @@ class SessionChat : public testing::Test {
   }
 
   void receive(const auto& message) { session_.receive(encode(message), Time(0)); }
-  std::vector<Chat> sent() {
-    std::vector<Chat> found;
+  std::vector<LocalChat> sent() {
+    std::vector<LocalChat> found;
     for (const OutgoingMessage& message : session_.takeOutgoing()) {
       EXPECT_TRUE(message.reliable);
       const auto decoded = decodeToServer(message.bytes);
-      if (decoded && std::holds_alternative<LocalChat>(*decoded)) found.push_back(std::get<LocalChat>(*decoded).chat);
+      if (decoded && std::holds_alternative<LocalChat>(*decoded)) found.push_back(std::get<LocalChat>(*decoded));
     }
     return found;
   }
@@ -37,7 +37,7 @@ class SessionChat : public testing::Test {
 TEST_F(SessionChat, ATextAndAnEmoteAreSent) {
   EXPECT_TRUE(session_.say({"Hello", 0}, Time(0)));
   EXPECT_TRUE(session_.say({"", 2}, Time(0)));
-  EXPECT_EQ(sent(), (std::vector<Chat>{{"Hello", 0}, {"", 2}}));
+  EXPECT_EQ(sent(), (std::vector<LocalChat>{{0, {"Hello", 0}}, {0, {"", 2}}}));
 }
 
 TEST_F(SessionChat, WhatTheServerWouldDropIsNotSent) {
@@ -45,6 +45,13 @@ TEST_F(SessionChat, WhatTheServerWouldDropIsNotSent) {
   EXPECT_FALSE(session_.say({"b", 0}, seconds(1)));
   EXPECT_TRUE(session_.say({"c", 0}, seconds(2)));
   EXPECT_EQ(sent().size(), 5U);
+}
+
+TEST_F(SessionChat, EachLocalPlayerHasABudgetOfItsOwn) {
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(session_.say({"a", 0}, Time(0)));
+  EXPECT_FALSE(session_.say({"a", 0}, Time(0)));
+  EXPECT_TRUE(session_.say({"b", 0}, Time(0), 2));
+  EXPECT_EQ(sent().back(), (LocalChat{2, {"b", 0}}));
 }
 
 TEST_F(SessionChat, NothingIsSentBeforeWelcomeAndAfterTheEnd) {

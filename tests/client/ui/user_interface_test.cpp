@@ -68,17 +68,102 @@ TEST(UserInterface, ARestartIsHeldForOneTick) {
   EXPECT_FALSE(interface.takeHeld(false).restart);
 }
 
+KeyEvent padEvent(Key key, int pad, Kind kind = Kind::kPress) { return {.key = key, .kind = kind, .pad = pad}; }
+
+TEST(UserInterface, F2GivesTheArrowsToAnotherPlayerAndTakesThemBack) {
+  UserInterface interface { Settings() };
+  EXPECT_EQ(interface.keyHints().of(Control::kLeft), "←");
+  EXPECT_EQ(tap(interface, Key::kF2), Action::kJoin);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kJoined);
+  EXPECT_TRUE(interface.devices().has(1));
+  EXPECT_EQ(interface.keyHints().of(Control::kLeft), "A");
+  interface.handle({Key::kArrowLeft, Kind::kPress}, false);
+  interface.handle({Key::kD, Kind::kPress}, false);
+  const HeldKeys first = interface.takeHeld(false);
+  const HeldKeys second = interface.takeHeld(false, 1);
+  EXPECT_TRUE(first.right && !first.left);
+  EXPECT_TRUE(second.left && !second.right);
+  EXPECT_EQ(tap(interface, Key::kF2), Action::kJoin);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kLeft);
+  EXPECT_EQ(interface.takeHeld(false), HeldKeys()) << "a key that changes hands is not held";
+  interface.handle({Key::kArrowLeft, Kind::kRelease}, false);
+  interface.handle({Key::kArrowLeft, Kind::kPress}, false);
+  EXPECT_TRUE(interface.takeHeld(false).left);
+}
+
+TEST(UserInterface, AGamepadJoinsAndLeavesWithItsTrigger) {
+  UserInterface interface { Settings() };
+  for (const int pad : {4, 2, 0}) {
+    EXPECT_EQ(interface.handle(padEvent(Key::kPadRightTrigger, pad), false), Action::kJoin);
+    EXPECT_EQ(interface.deviceChange(), DeviceChange::kJoined);
+  }
+  EXPECT_EQ(interface.handle(padEvent(Key::kPadRightTrigger, 7), false), Action::kJoin);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kNone) << "four at most";
+  EXPECT_EQ(tap(interface, Key::kF2), Action::kJoin);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kNone);
+  interface.handle(padEvent(Key::kPadLeft, 4), false);
+  interface.handle(padEvent(Key::kPadA, 2), false);
+  interface.handle(padEvent(Key::kPadRight, 7), false);
+  EXPECT_TRUE(interface.takeHeld(false, 1).left);
+  EXPECT_TRUE(interface.takeHeld(false, 2).jump);
+  EXPECT_EQ(interface.takeHeld(false, 3), HeldKeys());
+  EXPECT_TRUE(interface.takeHeld(false).right) << "a gamepad that has not joined is that of the first player";
+  interface.handle(padEvent(Key::kPadRightTrigger, 2), false);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kLeft);
+  EXPECT_FALSE(interface.devices().has(2));
+  EXPECT_TRUE(interface.devices().has(3));
+}
+
+TEST(UserInterface, ATriggerThatAControlHasDoesNotJoin) {
+  Settings settings;
+  settings.bindings.bind(Control::kJump, Key::kPadRightTrigger);
+  UserInterface interface(settings);
+  EXPECT_EQ(tap(interface, Key::kPadRightTrigger), std::nullopt);
+  EXPECT_TRUE(interface.takeHeld(false).jump);
+}
+
+TEST(UserInterface, TheMenuLetsNobodyJoin) {
+  UserInterface interface { Settings() };
+  EXPECT_EQ(tap(interface, Key::kF2, true), std::nullopt);
+  EXPECT_EQ(tap(interface, Key::kPadRightTrigger, true), std::nullopt);
+  EXPECT_FALSE(interface.devices().has(1));
+}
+
+TEST(UserInterface, ACompanionWhoseGamepadIsLostWaitsForAnother) {
+  UserInterface interface { Settings() };
+  interface.handle(padEvent(Key::kPadRightTrigger, 1), false);
+  interface.handle(padEvent(Key::kPadRightTrigger, 2), false);
+  EXPECT_TRUE(interface.loseGamepad(1));
+  EXPECT_TRUE(interface.devices().has(1));
+  interface.handle(padEvent(Key::kPadRightTrigger, 5), false);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kReturned);
+  interface.handle(padEvent(Key::kPadRight, 5), false);
+  EXPECT_TRUE(interface.takeHeld(false, 1).right);
+}
+
+// Both have the same button down, and one lets it go.
+TEST(UserInterface, TwoGamepadsOfOnePlayerActAsOne) {
+  UserInterface interface { Settings() };
+  interface.handle(padEvent(Key::kPadLeft, 0), false);
+  interface.handle(padEvent(Key::kPadLeft, 1), false);
+  interface.handle(padEvent(Key::kPadLeft, 0, Kind::kRelease), false);
+  interface.takeHeld(false);
+  EXPECT_TRUE(interface.takeHeld(false).left);
+  interface.handle(padEvent(Key::kPadLeft, 1, Kind::kRelease), false);
+  EXPECT_FALSE(interface.takeHeld(false).left);
+}
+
 TEST(UserInterface, AGamepadIsLostIfItWasUsedLaterThanTheKeyboard) {
   UserInterface interface { Settings() };
-  EXPECT_FALSE(interface.loseGamepad());
+  EXPECT_FALSE(interface.loseGamepad(0));
   tap(interface, Key::kPadA);
   EXPECT_EQ(interface.keyHints().of(Control::kJump), "pad A");
-  EXPECT_TRUE(interface.loseGamepad());
+  EXPECT_TRUE(interface.loseGamepad(0));
   EXPECT_EQ(interface.keyHints().of(Control::kJump), "Space");
-  EXPECT_FALSE(interface.loseGamepad());
+  EXPECT_FALSE(interface.loseGamepad(0));
   tap(interface, Key::kPadA);
   tap(interface, Key::kJ);
-  EXPECT_FALSE(interface.loseGamepad()) << "the player plays with the keyboard";
+  EXPECT_FALSE(interface.loseGamepad(0)) << "the player plays with the keyboard";
 }
 
 TEST(UserInterface, FunctionKeysToggle) {

@@ -146,9 +146,7 @@ bool isSetting(const MenuItem& item) {
   return item.kind != MenuItem::Kind::kHeading && item.kind != MenuItem::Kind::kAction;
 }
 
-MenuPage settingsPage(Settings& settings) {
-  return platon::settingsPage(settings, [] {});
-}
+MenuPage settingsPage(Settings& settings) { return platon::settingsPage(settings, SubPages()); }
 
 TEST(SettingsPage, EverySettingCanBeChangedAndStaysValid) {
   Settings settings;
@@ -185,11 +183,7 @@ TEST(SettingsPage, AKeyThatIsHeldDoesNotGoBackAndForthBetweenTwoValues) {
 
 TEST(SettingsPage, WithOthersTheGameSpeedCannotBeChosen) {
   Settings settings;
-  EXPECT_EQ(platon::settingsPage(
-                settings, [] {}, false)
-                    .items.size() +
-                1,
-            settingsPage(settings).items.size());
+  EXPECT_EQ(platon::settingsPage(settings, SubPages(), false).items.size() + 1, settingsPage(settings).items.size());
 }
 
 TEST(SettingsPage, HintsAreOnWhileOneIsLeft) {

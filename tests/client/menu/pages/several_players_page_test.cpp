@@ -11,17 +11,20 @@ namespace {
 
 TEST(SeveralPlayersPage, SaysWhyInOneSentenceAndOffersWhatCanBeDone) {
   std::string called;
-  const MenuPage page = severalPlayersPage({.title = "Hold the door", .solid = "CUBE", .players = 2},
-                                           {[&] { called += "host "; }, [&] { called += "join "; }});
+  const MenuPage page =
+      severalPlayersPage({.title = "Hold the door", .solid = "CUBE", .players = 2},
+                         {[&] { called += "here "; }, [&] { called += "host "; }, [&] { called += "join "; }});
   EXPECT_EQ(page.title, "Hold the door");
   EXPECT_EQ(page.notes,
             std::vector<std::string>{
-                "This level needs 2 players: host it so that others can join you, or join somebody who hosts it."});
-  ASSERT_EQ(page.items.size(), 2U);
-  EXPECT_EQ(page.items[0].name, "Host it");
-  EXPECT_EQ(page.items[1].name, "Join");
+                "This level needs 2 players: play it together on this machine, host it so that others can join you, or "
+                "join somebody who hosts it."});
+  ASSERT_EQ(page.items.size(), 3U);
+  EXPECT_EQ(page.items[0].name, "Together on this machine");
+  EXPECT_EQ(page.items[1].name, "Host it");
+  EXPECT_EQ(page.items[2].name, "Join");
   for (const MenuItem& item : page.items) item.choose();
-  EXPECT_EQ(called, "host join ");
+  EXPECT_EQ(called, "here host join ");
 }
 
 class HostPage : public testing::Test {

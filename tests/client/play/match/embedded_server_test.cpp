@@ -184,10 +184,10 @@ TEST(EmbeddedServer, CountsItsPlayersAndStartsTheNextLevelWhenAsked) {
     };
   };
   EmbeddedServer server({files});
-  EXPECT_EQ(server.players(), 0U);
+  EXPECT_EQ(server.clients(), 0U);
   Guest guest(server.address());
   ASSERT_TRUE(guest.playUntil(plays("first")));
-  EXPECT_TRUE(guest.playUntil([&](const NetworkClient&) { return server.players() == 1; }));
+  EXPECT_TRUE(guest.playUntil([&](const NetworkClient&) { return server.clients() == 1; }));
   server.startNextLevel();
   EXPECT_TRUE(guest.playUntil(plays("second")));
 }

@@ -113,6 +113,34 @@ TEST(BindingsText, TheDefaultsAreALineForEachControl) {
   EXPECT_EQ(lines[4], "key jump space pad-a");
 }
 
+TEST(BindingsText, TheSecondPlayerHasKeysToMoveItsBall) {
+  EXPECT_EQ(linesOf(textOf(Bindings(KeySet::kSecond), KeySet::kSecond)),
+            (Words{"key2 left arrow-left", "key2 right arrow-right", "key2 up arrow-up", "key2 down arrow-down",
+                   "key2 jump none", "key2 slow period", "key2 restart slash"}));
+  const SettingsResult result = parseSettings("key2 jump hello\nkey2 left j k\n");
+  EXPECT_EQ(result.errors, Words{"line 1: key2 jump must be none, or up to two keys, such as: arrow-left j"});
+  EXPECT_EQ(result.settings.secondKeys.keysOf(Control::kLeft), (ControlKeys{Key::kJ, Key::kK, {}}));
+  EXPECT_EQ(result.settings.bindings, Bindings());
+  EXPECT_EQ(parseSettings(result.settings.text()).settings.secondKeys, result.settings.secondKeys);
+}
+
+TEST(BindingsText, LinesThatTheSecondPlayerCannotHaveAreReported) {
+  const std::string form = " must be none, or up to two keys, such as: arrow-left j";
+  EXPECT_EQ(parseSettings("key2 left pad-a\n").errors, Words{"line 1: key2 left" + form});
+  EXPECT_EQ(parseSettings("key2 left\n").errors, Words{"line 1: key2 left" + form});
+  EXPECT_EQ(parseSettings("key2 vote j\n").errors,
+            Words{"line 1: key2 vote belongs to the first player: remove the line"});
+  EXPECT_EQ(parseSettings("key2 left j\nkey2 right j\n").errors,
+            Words{"line 2: key2 right must not use j, which left already uses"});
+}
+
+TEST(Bindings, WithoutThoseOfAnotherPlayerKeepsTheRest) {
+  const Bindings rest = Bindings().without(Bindings(KeySet::kSecond));
+  EXPECT_EQ(rest.keysOf(Control::kLeft), (ControlKeys{Key::kA, {}, Key::kPadLeft}));
+  EXPECT_EQ(rest.keysOf(Control::kJump), Bindings().keysOf(Control::kJump));
+  EXPECT_EQ(rest.controlOf(Key::kArrowUp), std::nullopt);
+}
+
 TEST(BindingsText, AnyBindingsAreReadAsTheyWereWrittenInAnyOrder) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 200; ++i) {

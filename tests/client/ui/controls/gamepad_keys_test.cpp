@@ -25,7 +25,9 @@ GamepadState stickAt(float x, float y) {
 
 Events update(GamepadKeys& keys, const GamepadState& state) { return keys.update(std::array{state}); }
 
-TEST(GamepadKeys, OnlyTheGamepadThatWasUsedLastIsLost) {
+using Pads = std::vector<int>;
+
+TEST(GamepadKeys, OnlyGamepadsThatWereUsedAreLost) {
   GamepadKeys keys;
   GamepadState first;
   GamepadState second;
@@ -33,18 +35,33 @@ TEST(GamepadKeys, OnlyTheGamepadThatWasUsedLastIsLost) {
   keys.update({});
   keys.update(std::array{first, second});
   keys.update(std::array{second});
-  EXPECT_FALSE(keys.takeLost()) << "never used";
+  EXPECT_EQ(keys.takeLost(), Pads()) << "never used";
   second.a = true;
   keys.update(std::array{first, second});
   second.a = false;
   keys.update(std::array{first, second});
   keys.update(std::array{second});
-  EXPECT_FALSE(keys.takeLost()) << "the other one was used";
+  EXPECT_EQ(keys.takeLost(), Pads()) << "the other one was used";
   keys.update(std::array{first});
-  EXPECT_TRUE(keys.takeLost());
-  EXPECT_FALSE(keys.takeLost());
+  EXPECT_EQ(keys.takeLost(), Pads{1});
+  EXPECT_EQ(keys.takeLost(), Pads());
   keys.update({});
-  EXPECT_FALSE(keys.takeLost());
+  EXPECT_EQ(keys.takeLost(), Pads());
+}
+
+TEST(GamepadKeys, FourGamepadsThatAreUnpluggedInTurnAreLostOneByOne) {
+  GamepadKeys keys;
+  std::vector<GamepadState> pads(4);
+  for (int i = 0; i < 4; ++i) {
+    pads[static_cast<std::size_t>(i)].id = i;
+    pads[static_cast<std::size_t>(i)].stickX = 1;
+  }
+  keys.update(pads);
+  for (int i = 0; i < 4; ++i) {
+    pads.erase(pads.begin());
+    EXPECT_EQ(keys.update(pads), (Events{{.key = Key::kPadRight, .kind = Kind::kRelease, .pad = i}}));
+    EXPECT_EQ(keys.takeLost(), Pads{i});
+  }
 }
 
 TEST(GamepadKeys, AGamepadThatIsConnectedAgainIsLostAgain) {
@@ -56,7 +73,7 @@ TEST(GamepadKeys, AGamepadThatIsConnectedAgainIsLostAgain) {
     const Events released = keys.update({});
     ASSERT_EQ(released.size(), 1u);
     EXPECT_EQ(released[0], (KeyEvent{Key::kPadRight, Kind::kRelease}));
-    EXPECT_TRUE(keys.takeLost());
+    EXPECT_EQ(keys.takeLost(), Pads{0});
   }
 }
 
@@ -143,13 +160,16 @@ TEST(GamepadKeys, StickAndDirectionalPadAreOneKey) {
   EXPECT_EQ(update(keys, {}), (Events{{Key::kPadLeft, Kind::kRelease}}));
 }
 
-TEST(GamepadKeys, SeveralGamepadsActAsOne) {
+TEST(GamepadKeys, EachGamepadHasItsOwnKeys) {
   GamepadKeys keys;
-  GamepadState a;
-  a.a = true;
-  EXPECT_EQ(keys.update(std::array{a, stickAt(1, 0)}),
-            (Events{{Key::kPadRight, Kind::kPress}, {Key::kPadA, Kind::kPress}}));
-  EXPECT_EQ(keys.update(std::array{GamepadState(), a}), (Events{{Key::kPadRight, Kind::kRelease}}));
+  GamepadState first;
+  first.a = true;
+  GamepadState second = first;
+  second.id = 3;
+  const auto event = [](Kind kind, int pad) { return KeyEvent{.key = Key::kPadA, .kind = kind, .pad = pad}; };
+  EXPECT_EQ(keys.update(std::array{first, second}), (Events{event(Kind::kPress, 0), event(Kind::kPress, 3)}));
+  first.a = false;
+  EXPECT_EQ(keys.update(std::array{first, second}), (Events{event(Kind::kRelease, 0)}));
 }
 
 TEST(GamepadKeys, ADisconnectedGamepadReleasesItsKeys) {
