@@ -227,7 +227,7 @@ std::optional<ToClient> read(const wire::LocalSlots& table) {
   const auto slots = spanOf(table.slots());
   const bool isFirstIn = (table.taken() & 1) != 0;
   if (slots.size() != kMaxLocalPlayers || table.taken() >> kMaxLocalPlayers != 0 || !isFirstIn) return std::nullopt;
-  LocalSlots message{{}, textOf(table.reason())};
+  LocalSlots message{{}, textOf(table.reason()), table.local()};
   if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
   for (std::size_t local = 0; local < slots.size(); ++local) {
     if ((table.taken() >> local & 1) == 0) continue;
@@ -387,7 +387,7 @@ Bytes encode(const LocalSlots& message) {
   }
   const auto vector = builder.CreateVector(slots.data(), slots.size());
   const auto reason = message.reason.empty() ? 0 : builder.CreateString(message.reason);
-  return finish(builder, Body::LocalSlots, wire::CreateLocalSlots(builder, taken, vector, reason));
+  return finish(builder, Body::LocalSlots, wire::CreateLocalSlots(builder, taken, vector, reason, message.local));
 }
 
 Bytes encode(const ConfirmedTicks& message) {

@@ -145,11 +145,12 @@ struct PlayerChat {
 /// Slots by local number; nothing for a local number without a player.
 using SlotsByLocal = std::array<std::optional<std::uint32_t>, kMaxLocalPlayers>;
 
-/// The slots of the players of this client. Answers each `Companion`, and is sent when a player has
+/// The slots of the players of this client. Answers a `Companion`, and is sent when a player has
 /// been removed. After `Welcome`, only the player of `Hello` has a slot, unless a client resumes: then this follows.
 struct LocalSlots {
   SlotsByLocal slots;    ///< below kMaxPlayers, each once; of local number 0 always
   std::string reason{};  ///< why a player does not have one, a sentence for the players, a label; empty: as they wished
+  std::uint32_t local = 0;  ///< that of the `Companion` which this answers; 0: of none
 
   friend bool operator==(const LocalSlots&, const LocalSlots&) = default;
 };

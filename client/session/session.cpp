@@ -64,7 +64,6 @@ void Session::setCompanion(std::uint32_t local, const std::optional<std::string>
 void Session::sendCompanion(std::uint32_t local) {
   const std::optional<std::string>& name = companions_[local];
   dialogue_.send(Companion{local, name.has_value(), name.value_or(std::string())}, true);
-  asked_.push_back(local);
 }
 
 void Session::handle(const LocalSlots& message, Time now) {
@@ -74,26 +73,20 @@ void Session::handle(const LocalSlots& message, Time now) {
   const bool isValid = welcome() && message.slots[0] == welcome()->slot &&
                        std::all_of(message.slots.begin(), message.slots.end(), isOfMatch);
   if (!isValid) return dialogue_.end({"protocol error: the server gives slots that there are not", true});
-  const bool removed = forgetRemoved(message);
+  if (!message.reason.empty()) {
+    forgetCompanions(message);
+    talk_.receive(Notice{message.reason}, now);
+  }
   slots_ = message.slots;
   if (round_) round_->setSlots(slots_);
-  if (!removed && !asked_.empty()) {
-    const std::uint32_t local = asked_.front();
-    asked_.pop_front();
-    if (!message.reason.empty() && !slots_[local]) companions_[local].reset();
-  }
-  if (!message.reason.empty()) talk_.receive(Notice{message.reason}, now);
 }
 
-// Whether the message tells that companions were removed: otherwise it answers the oldest request.
-bool Session::forgetRemoved(const LocalSlots& message) {
-  bool removed = false;
+// Those that are refused, or removed. Others that have no slot may still get one: their requests are on the way.
+void Session::forgetCompanions(const LocalSlots& message) {
   for (std::size_t local = 1; local < slots_.size(); ++local) {
-    if (message.reason.empty() || !slots_[local] || message.slots[local] || !companions_[local]) continue;
-    companions_[local].reset();
-    removed = true;
+    const bool isMeant = message.local == 0 ? slots_[local].has_value() : message.local == local;
+    if (isMeant && !message.slots[local]) companions_[local].reset();
   }
-  return removed;
 }
 
 void Session::handle(const Refused& message, Time) { dialogue_.end(message); }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,7 +119,7 @@ class Session {
   void handle(const auto& message, Time now) { talk_.receive(message, now); }
 
   void sendCompanion(std::uint32_t local);
-  bool forgetRemoved(const LocalSlots& message);
+  void forgetCompanions(const LocalSlots& message);
   void startRound(RoundStart start);
   void closeRound();
   void requestLevel(std::uint64_t hash);
@@ -131,7 +130,6 @@ class Session {
   std::shared_ptr<ConfirmedObserver> observer_;  // null: none
   NamesByLocal companions_;
   SlotsByLocal slots_;
-  std::deque<std::uint32_t> asked_;  // local numbers of the requests that are not answered yet, oldest first
   KnownLevels levels_;
   Dialogue dialogue_;
   Talk talk_;

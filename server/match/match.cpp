@@ -117,7 +117,7 @@ void Match::handle(ClientId id, MatchClient& client, const Companion& companion)
     fault = "players join here too often: wait two seconds";
   else
     return;
-  output_.send(id, encode(LocalSlots{client.slots(), fault}));
+  output_.send(id, encode(LocalSlots{client.slots(), fault, companion.local}));
 }
 
 // Returns why it cannot be; empty: it is done.

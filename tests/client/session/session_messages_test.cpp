@@ -59,13 +59,13 @@ TEST_F(SessionMessages, ACompanionPlaysOnceItHasASlot) {
   EXPECT_FALSE(session_.takeNotice());
 }
 
-TEST_F(SessionMessages, ARefusalIsToldAndConcernsTheOldestRequest) {
+TEST_F(SessionMessages, ARefusalIsToldAndConcernsTheCompanionThatAsked) {
   session_.setCompanion(1, "Ben");
   session_.setCompanion(2, "Cid");
-  receive(LocalSlots{{0}, "the server is full"});
+  receive(LocalSlots{{0}, "the server is full", 1});
   EXPECT_EQ(session_.takeNotice(), "the server is full");
   EXPECT_EQ(session_.companions(), (NamesByLocal{{{}, {}, "Cid"}}));
-  receive(LocalSlots{{0, {}, 1}});
+  receive(LocalSlots{{0, {}, 1}, "", 2});
   EXPECT_EQ(session_.companions(), (NamesByLocal{{{}, {}, "Cid"}}));
 }
 

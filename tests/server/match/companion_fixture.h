@@ -70,7 +70,9 @@ class CompanionTest : public testing::Test {
     match_.receive(id, companion);
     const std::vector<LocalSlots> answers = sentTo<LocalSlots>(id);
     EXPECT_EQ(answers.size(), 1u) << "client " << id << ", local number " << companion.local;
-    return answers.empty() ? LocalSlots{} : answers.front();
+    if (answers.empty()) return {};
+    EXPECT_EQ(answers.front().local, companion.local);
+    return {answers.front().slots, answers.front().reason};
   }
   LocalSlots add(ClientId id, std::uint32_t local, const std::string& name) { return answer(id, {local, true, name}); }
   LocalSlots drop(ClientId id, std::uint32_t local) { return answer(id, {local, false}); }
