@@ -206,6 +206,14 @@ void PlayerCues::addEvents(const ObservedPlayer& now, std::vector<Cue>& cues) {
   if (now.state.checkpoint != 0 && now.state.checkpoint != before.checkpoint) add(Sound::kCheckpoint);
 }
 
+namespace {
+
+bool contains(const std::vector<std::uint32_t>& slots, std::uint32_t slot) {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+}  // namespace
+
 SoundFrame SoundCues::update(const CueSource* source) {
   SoundFrame frame;
   if (source == nullptr) return frame;
@@ -233,6 +241,13 @@ void SoundCues::hearLocal(const CueSource& source, SoundFrame& frame) {
     frame.celebrates = frame.celebrates || cue.sound == Sound::kGoal;
     frame.cues.push_back(cue);
   }
+  for (const std::uint32_t slot : source.companions) {
+    if (!isPresent(*source.predicted, slot)) continue;
+    for (Cue& cue : players_[slot].observe(observed(*source.predicted, source.predictedTicks, slot, *source.mesh))) {
+      cue.slot = slot;
+      frame.cues.push_back(cue);
+    }
+  }
   const std::vector<Cue> elements =
       elements_.observe(*source.predicted, source.predictedTicks, *source.mesh, local.pose);
   frame.cues.insert(frame.cues.end(), elements.begin(), elements.end());
@@ -242,7 +257,7 @@ void SoundCues::hearLocal(const CueSource& source, SoundFrame& frame) {
 
 void SoundCues::observeOthers(const CueSource& source) {
   for (std::uint32_t slot = 0; slot < source.confirmed->slots(); ++slot) {
-    if (slot == source.localSlot) continue;
+    if (slot == source.localSlot || contains(source.companions, slot)) continue;
     const ObservedPlayer player = observed(*source.confirmed, source.confirmedTicks, slot, *source.mesh);
     for (Cue& cue : players_[slot].observe(player)) {
       cue.slot = slot;

@@ -101,12 +101,13 @@ class PlayerCues {
 struct CueSource {
   std::uint32_t round = 0;  ///< id of the round
   const SolidMesh* mesh = nullptr;
-  const Game* predicted = nullptr;  ///< of the local player and the elements
+  const Game* predicted = nullptr;  ///< of the local players and the elements
   std::uint32_t predictedTicks = 0;
   const Game* confirmed = nullptr;  ///< of the other players
   std::uint32_t confirmedTicks = 0;
-  double othersTick = 0;  ///< at which the other players are drawn
-  std::uint32_t localSlot = 0;
+  double othersTick = 0;                     ///< at which the other players are drawn
+  std::uint32_t localSlot = 0;               ///< of the first local player, who listens
+  std::vector<std::uint32_t> companions{};   ///< slots of the other local players
   bool over = false;                         ///< the round has ended
   bool timed = true;                         ///< the round has a time limit
   std::optional<double> nextRoundSeconds{};  ///< until the next round starts, if that is known

@@ -44,6 +44,8 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   others_.clear();
   camera_.resize(width_, height_);
   if (scene != nullptr) {
+    if (group_.isSet() && groupStage_.lock() == scene->stage) camera_.goOnFrom(group_.view());
+    group_.reset();
     moveCamera(camera_, *scene, settings, seconds);
     fold(*scene);
     rolls_ = {camera.rollOf(scene->focus)};
@@ -79,15 +81,15 @@ void GameView::drawShared(std::span<const Scene> scenes, const HudStatus& status
   const bool one = isOneView(scenes, settings, seconds);
   HudStatus shown = shownStatus(status, settings);
   shown.assembling = camera_.folded() < 1;
-  fade(one ? seconds : kFadeSeconds);
+  camera_.takeFadingCut();  // several views fade no cuts
+  renderer_.setFade(fadeLeft_ = 0);
   const std::size_t views = one ? 1 : scenes.size();
-  const glm::ivec2 size(width_, height_);
-  const std::vector<PictureArea> areas = areasOf(views, size, kGap);
+  const std::vector<PictureArea> areas = areasOf(views, {width_, height_}, kGap);
   const float unit = Overlay::kHeight / static_cast<float>(height_);
   std::vector<SceneView> parts;
   std::vector<HudPane> panes;
   for (std::size_t i = 0; i < views; ++i) {
-    const Camera& camera = (i == 0 ? camera_ : others_[i - 1]).camera();
+    const Camera& camera = cameraOf(scenes, i).camera();
     parts.push_back({&scenes[i], &camera, areas[i].corner});
     panes.push_back({&scenes[i], &camera, unit * glm::vec2(areas[i].corner), unit * glm::vec2(areas[i].size)});
   }
@@ -98,35 +100,47 @@ void GameView::drawShared(std::span<const Scene> scenes, const HudStatus& status
   one ? renderer_.draw(scenes[0], camera_.camera(), overlays, style) : renderer_.draw(parts, overlays, style);
 }
 
+GameCamera& GameView::cameraOf(std::span<const Scene> scenes, std::size_t view) {
+  return view == 0 ? camera_ : others_[localSlotOf(scenes[view])];
+}
+
 // Moves all cameras. Whether one view shows all players; while the solid is put together, it is that of the first one.
 bool GameView::isOneView(std::span<const Scene> scenes, const Settings& settings, double seconds) {
   const Scene& first = scenes.front();
+  const bool isNew = groupStage_.lock() != first.stage;
+  const bool wasOne = group_.together() && settings.views == SharedViews::kOne;
+  const bool movesWhole = isNew || wasOne || camera_.flying();
+  if (movesWhole) {
+    camera_.resize(width_, height_);
+    moveCamera(camera_, first, settings, seconds);
+  }
+  if (isNew || camera_.flying()) group_.reset();
+  groupStage_ = first.stage;
   std::vector<Pose> players;
   for (const Scene& scene : scenes) players.push_back(scene.focus);
-  const bool wasOne = group_.together() && settings.views == SharedViews::kOne;
-  camera_.resize(width_, height_);
-  if (wasOne || camera_.flying()) moveCamera(camera_, first, settings, seconds);
-  if (groupStage_.lock() != first.stage) group_.reset();
-  groupStage_ = first.stage;
-  const double aspect = double{1} * width_ / height_;
-  group_.move(players, first.stage->mesh, settings.zoom, aspect, camera_.camera().viewPoint(), seconds);
+  group_.move(players, first.stage->mesh, settings.comfort, settings.zoom, double{1} * width_ / height_,
+              camera_.camera().shownView(), seconds);
   fold(first);
   const bool one = camera_.flying() || (group_.together() && settings.views == SharedViews::kOne);
-  if (one && !camera_.flying()) camera_.show(group_.view());
-  if (!one) divide(scenes, settings, wasOne ? 0 : seconds);
+  if (!one) divide(scenes, settings, movesWhole ? 0 : seconds);
+  if (one && !movesWhole) {
+    camera_.resize(width_, height_);
+    moveCamera(camera_, first, settings, 0);
+  }
+  const bool showsGroup = one && !camera_.flying();
+  if (showsGroup) camera_.show(group_.view(), first.stage->mesh);
   rolls_.clear();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const ViewPoint& own = (i == 0 || one ? camera_ : others_[i - 1]).camera().viewPoint();
-    rolls_.push_back(rollIn(one && !camera_.flying() ? group_.view() : own, scenes[i].focus));
+    const ViewPoint& own = (one ? camera_ : cameraOf(scenes, i)).camera().viewPoint();
+    rolls_.push_back(rollIn(showsGroup ? group_.view() : own, scenes[i].focus));
   }
   return one;
 }
 
 void GameView::divide(std::span<const Scene> scenes, const Settings& settings, double seconds) {
   const std::vector<PictureArea> areas = areasOf(scenes.size(), {width_, height_}, kGap);
-  others_.resize(scenes.size() - 1);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    GameCamera& camera = i == 0 ? camera_ : others_[i - 1];
+    GameCamera& camera = cameraOf(scenes, i);
     camera.resize(static_cast<std::uint32_t>(areas[i].size.x), static_cast<std::uint32_t>(areas[i].size.y));
     moveCamera(camera, scenes[i], settings, seconds);
   }

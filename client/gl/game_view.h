@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -88,6 +89,7 @@ class GameView {
   void fade(double seconds);
   void moveCamera(GameCamera& camera, const Scene& scene, const Settings& settings, double seconds);
   void fold(const Scene& scene);
+  GameCamera& cameraOf(std::span<const Scene> scenes, std::size_t view);
   void divide(std::span<const Scene> scenes, const Settings& settings, double seconds);
   bool isOneView(std::span<const Scene> scenes, const Settings& settings, double seconds);
 
@@ -96,7 +98,7 @@ class GameView {
   std::uint32_t width_;
   std::uint32_t height_;
   GameCamera camera_;
-  std::vector<GameCamera> others_;  // of the local players but the first
+  std::map<std::uint32_t, GameCamera> others_;  // of the local players but the first, by slot
   GroupView group_;
   std::weak_ptr<const StageModel> groupStage_;
   LookInput look_;

@@ -84,7 +84,7 @@ void Renderer::resize(std::uint32_t width, std::uint32_t height) {
 
 void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
                     const PictureStyle& style) {
-  drawScene(scene, camera, target_, follow_, style);
+  drawScene(scene, camera, target_, style);
   panes_.clear();
   if (!painted_) return;
   target_.resolve();
@@ -95,28 +95,28 @@ void Renderer::draw(std::span<const SceneView> views, std::span<const Overlay> o
   panes_.resize(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
     fit(panes_[i], *views[i].camera);
-    drawScene(*views[i].scene, *views[i].camera, *panes_[i].target, panes_[i].follow, style);
-    if (painted_) panes_[i].target->resolve();
+    drawScene(*views[i].scene, *views[i].camera, *panes_[i], style);
+    if (painted_) panes_[i]->resolve();
   }
   if (!painted_) return;
   target_.clearPlain();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const glm::uvec2 corner(views[i].corner);
-    panes_[i].target->copyInto(target_, corner.x, target_.height() - corner.y - panes_[i].target->height());
+    panes_[i]->copyInto(target_, corner.x, target_.height() - corner.y - panes_[i]->height());
   }
   target_.bindPlain();
   drawOverlays(overlays);
 }
 
-void Renderer::fit(Pane& pane, const Camera& camera) const {
-  const bool fits = pane.target && pane.target->width() == camera.width() && pane.target->height() == camera.height();
-  if (fits) return;
-  pane.target = std::make_unique<RenderTarget>(camera.width(), camera.height(), quality_.samples, quality_.scale);
+void Renderer::fit(std::unique_ptr<RenderTarget>& pane, const Camera& camera) const {
+  if (pane && pane->width() == camera.width() && pane->height() == camera.height()) return;
+  pane = std::make_unique<RenderTarget>(camera.width(), camera.height(), quality_.samples, quality_.scale);
 }
 
-void Renderer::drawScene(const Scene& scene, const Camera& camera, const RenderTarget& target, Follow& follow,
+void Renderer::drawScene(const Scene& scene, const Camera& camera, const RenderTarget& target,
                          const PictureStyle& style) {
   const StageModel& stage = *scene.stage;
+  Follow& follow = follows_[localSlotOf(scene)];
   const bool particles = style.animated && !style.highContrast && quality_.particles;
   StagePainter::Decoration decoration;
   decoration.seconds = style.animated ? static_cast<float>(scene.seconds) : 0;
@@ -169,8 +169,7 @@ FaceMarks Renderer::advance(const Scene& scene, Follow& follow, bool particles) 
   if (stage_.lock() != scene.stage) {
     balls_.clear();
     ghosts_.clear();
-    follow_.crossing.reset();
-    for (Pane& pane : panes_) pane.follow.crossing.reset();
+    for (auto& [slot, each] : follows_) each.crossing.reset();
   }
   stage_ = scene.stage;
   follow.goal.advance(scene.attempt && scene.attempt->arrived, scene.seconds);
@@ -201,7 +200,7 @@ void Renderer::setQuality(const Quality& quality) {
   quality_ = quality;
   if (same) return;
   target_ = RenderTarget(target_.width(), target_.height(), quality.samples, quality.scale);
-  for (Pane& pane : panes_) pane.target.reset();
+  panes_.clear();
 }
 
 void Renderer::drawEmpty(std::span<const Overlay> overlays) {

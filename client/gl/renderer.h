@@ -94,31 +94,24 @@ class Renderer {
     GoalMotion goal;
     EdgeCrossing crossing;
   };
-  // A view beside others.
-  struct Pane {
-    Follow follow;
-    std::unique_ptr<RenderTarget> target;
-  };
-
-  void drawScene(const Scene& scene, const Camera& camera, const RenderTarget& target, Follow& follow,
-                 const PictureStyle& style);
+  void drawScene(const Scene& scene, const Camera& camera, const RenderTarget& target, const PictureStyle& style);
   void beginPicture(const RenderTarget& target);
   void drawOverlays(std::span<const Overlay> overlays);
   FaceMarks advance(const Scene& scene, Follow& follow, bool particles);
   void drawSolid(const Scene& scene, const Camera& camera, const RenderTarget& target,
                  const StagePainter::Decoration& decoration);
-  void fit(Pane& pane, const Camera& camera) const;
+  void fit(std::unique_ptr<RenderTarget>& pane, const Camera& camera) const;
   void drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style);
 
   Quality quality_ = namedQuality(QualityLevel::kHigh).quality;
   bool faceNumbers_ = false;
   bool painted_ = true;
   std::vector<glm::dmat4> places_;
-  std::weak_ptr<const StageModel> stage_;      // of the last scene
-  std::map<std::uint32_t, BallMotion> balls_;  // by slot
-  std::vector<BallMotion> ghosts_;             // as Scene::ghosts
-  Follow follow_;                              // of a picture with one view
-  std::vector<Pane> panes_;                    // of one with several
+  std::weak_ptr<const StageModel> stage_;             // of the last scene
+  std::map<std::uint32_t, BallMotion> balls_;         // by slot
+  std::vector<BallMotion> ghosts_;                    // as Scene::ghosts
+  std::map<std::uint32_t, Follow> follows_;           // by slot of the local player whose view it is
+  std::vector<std::unique_ptr<RenderTarget>> panes_;  // of a picture with several views
   RenderTarget target_;
   PictureFade fade_;
   double fadeOpacity_ = 0;

@@ -175,7 +175,7 @@ std::optional<glm::vec2> placeAbove(const PlayerDrawing& player, const HudPane& 
 }
 
 void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, glm::vec2 place) {
-  if (player.local || player.name.empty()) return;
+  if (player.name.empty()) return;
   writer.centred(shownNameOf(player), place, kSmallestText, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
@@ -189,6 +189,7 @@ bool coversLocalPlayer(const Scene& scene, const PlayerDrawing& ghost) {
 void placeNameTags(HudSpace& space, const HudPane& pane, const Font& font) {
   const Scene& scene = *pane.scene;
   const auto place = [&](const PlayerDrawing& player) {
+    if (player.local && !pane.namesAll) return;
     const std::optional<glm::vec2> above = placeAbove(player, pane);
     if (above) space.addOver(drawn(font, [&](OverlayWriter& writer) { addNameTag(writer, player, *above); }));
   };
@@ -215,8 +216,7 @@ void placeRing(HudSpace& space, const HudPane& pane, const Font& font) {
 void placeBubbles(HudSpace& space, const HudPane& pane, const Font& font) {
   constexpr float kRise = 34;
   for (const PlayerDrawing& player : pane.scene->players) {
-    const std::optional<glm::vec2> above =
-        player.says.empty() ? std::nullopt : placeAbove(player, pane);
+    const std::optional<glm::vec2> above = player.says.empty() ? std::nullopt : placeAbove(player, pane);
     if (!above) continue;
     const glm::vec4 colour(glm::mix(player.colour, Colour(1), 0.5F), 1);
     space.addOver(drawn(font, [&](OverlayWriter& writer) {
@@ -295,9 +295,8 @@ std::string hintOf(const Scene& scene, const HudStatus& status) {
     const std::string medal = ownMedalText(scene, status.medals);
     return medal + (medal.empty() || status.hint.empty() ? "" : " · ") + status.hint;
   }
-  return "This level needs " + std::to_string(scene.neededPlayers) + " players. " +
-         (status.keys.gamepad() ? "RT" : "F2") + ": another one joins here · " +
-         status.keys.to(Control::kVote, "next level");
+  return "This level needs " + std::to_string(scene.neededPlayers) + " players. " + status.keys.join() +
+         ": another one joins here · " + status.keys.to(Control::kVote, "next level");
 }
 
 void addChat(OverlayWriter& writer, std::span<const std::string> lines, float bottom) {
@@ -375,7 +374,8 @@ void placeOwnResult(HudSpace& space, const Scene& scene, const HudStatus& status
 }
 
 // At the lower edge the message, above it the notice, and above that what the player may do.
-void placeTexts(HudSpace& space, const HudStatus& status, const std::string& action, const Font& font) {
+// `width`: of the part of the screen at the left to which what the player may do belongs.
+void placeTexts(HudSpace& space, const HudStatus& status, const std::string& action, const Font& font, float width) {
   glm::vec2 middle(space.screen().x / 2, space.startOfFoot() - 40);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     const std::vector<std::string> lines = linesOf(text, font, space.screen().x, kTextSize);
@@ -386,6 +386,7 @@ void placeTexts(HudSpace& space, const HudStatus& status, const std::string& act
   };
   add(status.message, status.warning ? kWarning : kBright);
   add(status.notice, kGold);
+  middle.x = width / 2;
   add(action, kBright);
 }
 
@@ -438,7 +439,7 @@ std::string clockText(double seconds) {
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
   HudSpace space = spaceFor(status, font, width);
   const glm::vec2 screen = space.screen();
-  placeTexts(space, {.notice = status.notice}, {}, font);
+  placeTexts(space, {.notice = status.notice}, {}, font, screen.x);
   space.add(drawn(font, [&](OverlayWriter& writer) {
     writer.centred("Platon", {screen.x / 2, screen.y * 0.44F}, 64, kBright);
     const std::vector<std::string> lines = linesOf(status.message, font, screen.x, kTextSize);
@@ -452,7 +453,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
 
 Overlay makeNotice(const std::string& notice, const Font& font, float width, float scale) {
   HudSpace space = spaceFor({.scale = scale}, font, width);
-  placeTexts(space, {.notice = notice}, {}, font);
+  placeTexts(space, {.notice = notice}, {}, font, space.screen().x);
   return scaledBy(space.overlay(), scale);
 }
 
@@ -463,7 +464,7 @@ Overlay hudOf(std::span<const HudPane> panes, const HudStatus& status, const Fon
   const Scene& scene = *panes.front().scene;
   HudSpace space = spaceFor(status, font, width);
   const glm::vec2 screen = space.screen();
-  placeTexts(space, status, status.underMenu ? "" : actionOf(scene, status, font), font);
+  placeTexts(space, status, status.underMenu ? "" : actionOf(scene, status, font), font, panes.front().size.x);
   if (status.underMenu) return scaledBy(space.overlay(), status.scale);
   if (hasOwnResult(scene, status)) placeOwnResult(space, scene, status, font);
   space.add(drawn(font, [&](OverlayWriter& writer) { addTitle(writer, scene, font, screen.x); }));
@@ -500,6 +501,7 @@ Overlay makeSharedHud(std::span<const HudPane> panes, const HudStatus& status, c
   for (HudPane& pane : scaled) {
     pane.corner /= status.scale;
     pane.size /= status.scale;
+    pane.namesAll = panes.size() == 1;
   }
   return hudOf(scaled, status, font, width);
 }

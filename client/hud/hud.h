@@ -64,6 +64,7 @@ struct HudPane {
   const Camera* camera = nullptr;
   glm::vec2 corner{0};  ///< the upper left one, on the virtual screen
   glm::vec2 size{0};
+  bool namesAll = false;  ///< also the local player has a name tag: others of this machine see the pane, too
 };
 
 /// Title, clock, the local player's own time, list of players, name tags, signs of what is out of the picture, results,

@@ -78,13 +78,13 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
 OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optional<MedalTimes>& medals) {
   OwnResult result;
   result.headline = scene.isTeam ? "Together at the goal!" : "Goal!";
-  result.time = finishText(scene.attempt->seconds);
+  result.time = finishText(scene.teamSeconds.value_or(scene.attempt->seconds));
   if (run.speed < 1) {
     result.time += " " + slowedText(run.speed);
     return result;
   }
-  if (run.isNewBest) result.headline = run.difference ? "New best time!" : "Level complete!";
-  if (run.difference) result.time += " (" + differenceText(*run.difference) + " s)";
+  if (run.isNewBest && !scene.isTeam) result.headline = run.difference ? "New best time!" : "Level complete!";
+  if (run.difference && !scene.isTeam) result.time += " (" + differenceText(*run.difference) + " s)";
   if (!run.notRecorded.empty()) result.time += ", " + run.notRecorded;
   if (!medals) return result;
   const std::uint32_t ticks = *arrivalTicksOf(scene);
@@ -137,8 +137,7 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
       wrapText(bestText(summary), font, (kPanelWidth - 2 * kPanelPadding) / kPanelTextSize);
   if (run.speed < 1 && scene.attempt && scene.attempt->arrived)
     below.insert(below.begin(), "Your time: " + slowedText(run.speed));
-  if (scene.isTeam && scene.attempt && scene.attempt->arrived)
-    below.insert(below.begin(), "Together: " + finishText(scene.attempt->seconds));
+  if (scene.teamSeconds) below.insert(below.begin(), "Together: " + finishText(*scene.teamSeconds));
   const std::size_t bestLines = below.size();
   for (std::string& line : wrapText(nextText(summary, font), font, (kPanelWidth - 2 * kPanelPadding) / kPanelTextSize))
     below.push_back(std::move(line));

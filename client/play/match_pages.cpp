@@ -68,10 +68,10 @@ void MatchPages::showSay(LiveMatch& match) {
 }
 
 // A text that cannot be said stays in the field.
-void MatchPages::say(LiveMatch& match, const Chat& chat) {
+void MatchPages::say(LiveMatch& match, const Chat& chat, std::uint32_t local) {
   menu_->close();
   if (!isChat(chat)) return;
-  if (!match.say(chat)) return calls_.tell("too much at once: wait a moment");
+  if (!match.say(chat, local)) return calls_.tell("too much at once: wait a moment");
   if (chat.emote == 0) text_.setText("");
 }
 

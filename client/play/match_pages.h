@@ -49,7 +49,7 @@ class MatchPages {
   /// Shows the page to say something instead of all other pages. The match exists as long as the page is shown.
   void showSay(LiveMatch& match);
   /// Closes all pages and says something, or tells the player that it has said too much.
-  void say(LiveMatch& match, const Chat& chat);
+  void say(LiveMatch& match, const Chat& chat, std::uint32_t local = 0);
 
  private:
   void openPause(LiveMatch& match, const std::string& note);

@@ -35,7 +35,7 @@ void MatchScreen::handleKey(const KeyEvent& event) {
   const std::optional<Action> action = desk_->handle(event, desk_->menu.isOpen());
   desk_->menu.handle(event, desk_->view.font());
   if (event.kind == KeyEvent::Kind::kPress && action != Action::kToggleVote) skip_.takeBack();
-  if (action) perform(*action, event.key);
+  if (action) perform(*action, event);
 }
 
 // The press that closes the menu does not look round.
@@ -46,14 +46,14 @@ void MatchScreen::handlePointer(const PointerEvent& event) {
   if (inGame) mouseLook_.handle(event);
 }
 
-void MatchScreen::perform(Action action, Key key) {
+void MatchScreen::perform(Action action, const KeyEvent& event) {
   switch (action) {
     case Action::kOpenMenu:
       return pages_.showPause(match_);
     case Action::kToggleVote:
       return wishNext();
     case Action::kJoin:
-      return tellJoin(key);
+      return tellJoin(event.key);
     case Action::kGoOn:
       return match_.alone() && match_.roundOver() ? match_.skipLevel() : void();
     case Action::kWatchNext:
@@ -66,7 +66,8 @@ void MatchScreen::perform(Action action, Key key) {
     case Action::kEmote3:
     case Action::kEmote4:
       return pages_.say(match_,
-                        {"", 1 + static_cast<std::uint32_t>(action) - static_cast<std::uint32_t>(Action::kEmote1)});
+                        {"", 1 + static_cast<std::uint32_t>(action) - static_cast<std::uint32_t>(Action::kEmote1)},
+                        desk_->interface.devices().ownerOf(event, desk_->settings().secondKeys));
     default:
       return;
   }
@@ -161,7 +162,9 @@ Input MatchScreen::choose(const Game& game, std::uint32_t slot, bool away) {
   if (desk_->options.demo) return demo_.choose(game, slot);
   const SlotsByLocal slots = match_.slots();
   const auto local = static_cast<std::uint32_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
-  const HeldKeys held = desk_->interface.takeHeld(away, local);
+  HeldKeys held = desk_->interface.takeHeld(away, local);
+  if (local == 0) againTogether_ = held.restart && match_.alone() && match_.roundOver();
+  held.restart = held.restart || againTogether_;
   if (held != HeldKeys()) desk_->view.skip();
   if (local == 0) desk_->hints.observe(game, slot, looks_, desk_->settings());
   const auto before = std::count_if(slots.begin(), slots.begin() + local, [](const auto& each) { return each; });
@@ -196,6 +199,7 @@ void MatchScreen::draw(const Frame& frame) {
   Scene* const scene = seen.empty() ? nullptr : &seen.front();
   if (scene != nullptr) view.netGraph().add(meter_.sample(match_.client(), frame.now));
   if (seen.size() == 1) spectator_.direct(*scene, desk_->interface.keyHints());
+  if (seen.size() > 1) spectator_.reset();
   const HudStatus status = hudStatus(scene);
   view.setFlights(!inMenu);
   const LookInput look = inMenu ? LookInput() : mouseLook_.take(desk_->interface.look());

@@ -45,7 +45,7 @@ class MatchScreen : public Screen {
 
   void handleKey(const KeyEvent& event);
   void handlePointer(const PointerEvent& event);
-  void perform(Action action, Key key);
+  void perform(Action action, const KeyEvent& event);
   void wishNext();
   void tellJoin(Key key);
   std::string secondKeysText() const;
@@ -75,6 +75,7 @@ class MatchScreen : public Screen {
   MouseLook mouseLook_;
   bool looks_ = false;  // the player turns the view, in the last frame
   Spectator spectator_;
+  bool againTogether_ = false;  // after the round, the first player takes all of this machine back to the start
   SkipQuestion skip_;
   NetMeter meter_;
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal

@@ -43,6 +43,10 @@ class Camera {
 
   /// What `set`, `place` and `lerp` have made of the view.
   const ViewPoint& viewPoint() const { return base_; }
+  /// What the pictures show.
+  const ViewPoint& shownView() const { return shown_; }
+  /// The next `lerp` begins at this view.
+  void goOnFrom(const ViewPoint& view) { base_ = shown_ = view; }
   /// Shows another view, which does not affect the next `lerp`, until the next `set`, `place` or `lerp`.
   void show(const ViewPoint& view) { shown_ = view; }
 

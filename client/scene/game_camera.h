@@ -148,8 +148,10 @@ class GameCamera {
   /// Whether the last `move` has cut to another view of a camera that stands still and fades, since the last call.
   bool takeFadingCut() { return std::exchange(fadingCut_, false); }
 
-  /// Shows another view until the next `move`.
-  void show(const ViewPoint& view) { camera_.show(view); }
+  /// Shows another view until the next `move`, turned as the player looks round.
+  void show(const ViewPoint& view, const SolidMesh& mesh) { camera_.show(look_.turned(view, mesh)); }
+  /// The next `move` on the same stage begins at this view.
+  void goOnFrom(const ViewPoint& view) { camera_.goOnFrom(view); }
 
   /// The camera that sees the picture.
   const Camera& camera() const { return camera_; }

@@ -12,7 +12,15 @@
 namespace platon {
 namespace {
 
-constexpr double kInside = 0.72;  // of the half picture, in which all players are
+constexpr double kInside = 0.72;   // of the half picture, in which all players are
+constexpr double kToSolid = 0.3;   // of the way from the middle between them to that of what is seen of the solid
+constexpr double kSameSide = 0.3;  // cosine of the largest turn to a target that is not a jump
+
+// Whether the player's up points upwards in the picture.
+bool isUpright(const Pose& player, glm::dquat orientation) {
+  const glm::dvec2 up(glm::conjugate(orientation) * player.up);
+  return up.y > GroupView::kDowns * glm::length(up);
+}
 
 // The view of players that stand still; nothing if it cannot show all of them.
 std::optional<ViewPoint> viewOf(std::span<const Pose> players, const SolidMesh& mesh, double zoom, double aspect) {
@@ -27,7 +35,11 @@ std::optional<ViewPoint> viewOf(std::span<const Pose> players, const SolidMesh& 
     own = std::max(own, target.distance);
   }
   if (glm::length(back) < 0.1) return std::nullopt;
-  const glm::dquat orientation = levelOrientation(glm::normalize(back), glm::cross(first.up, first.normal));
+  back = glm::normalize(back);
+  const glm::dquat orientation = levelOrientation(back, glm::cross(first.up, first.normal));
+  if (!std::all_of(players.begin(), players.end(), [&](const Pose& player) { return isUpright(player, orientation); }))
+    return std::nullopt;
+  middle = glm::mix(middle, mesh.inradius() * back, kToSolid);
   const glm::dvec2 half = CameraTarget::kTangent * glm::max(glm::dvec2(1), glm::dvec2(aspect, 1 / aspect));
   double distance = own;
   for (const Pose& player : players) {
@@ -46,8 +58,8 @@ std::optional<ViewPoint> viewOf(std::span<const Pose> players, const SolidMesh& 
 
 }  // namespace
 
-void GroupView::move(std::span<const Pose> players, const SolidMesh& mesh, double zoom, double aspect,
-                     const ViewPoint& own, double seconds) {
+void GroupView::move(std::span<const Pose> players, const SolidMesh& mesh, const CameraComfort& comfort, double zoom,
+                     double aspect, const ViewPoint& own, double seconds) {
   const std::optional<ViewPoint> target = viewOf(players, mesh, zoom, aspect);
   seconds_ = target ? seconds_ + seconds : 0;
   const bool wasTogether = together_;
@@ -55,7 +67,9 @@ void GroupView::move(std::span<const Pose> players, const SolidMesh& mesh, doubl
   if (!isSet_ || !wasTogether) view_ = own;
   isSet_ = true;
   if (!target) return;
-  const double part = 1 - std::exp(-kRate * seconds);
+  const bool isElsewhere = glm::dot(view_.back(), target->back()) < kSameSide;
+  if (comfort.instantCut || isElsewhere) view_ = *target;
+  const double part = 1 - std::exp(-(comfort.reducedMotion ? kSlowRate : kRate) * seconds);
   view_.orientation = glm::normalize(glm::slerp(view_.orientation, target->orientation, part));
   view_.eye = glm::mix(view_.eye, target->eye, part);
 }

@@ -6,30 +6,36 @@
 
 #include <glm/vec2.hpp>
 
+#include "client/scene/camera_controls.h"
 #include "client/scene/solid_mesh.h"
 #include "client/scene/view_point.h"
 
 namespace platon {
 
-/// One view of several players of one machine, as long as it can show all of them well: each from outside, and none
-/// smaller than kSmallest. It looks at the middle between them, and the right of the first one is level. It moves
-/// smoothly, also from the view of one player and back.
+/// One view of several players of one machine, as long as it can show all of them well: each from outside, none smaller
+/// than kSmallest, and down nearly the same for all. It looks at the middle between them, and the right of the first
+/// one is level. It moves smoothly, but jumps to players who are suddenly elsewhere, as after a restart of all, and
+/// with an instant cut.
 class GroupView {
  public:
   static constexpr double kRate = 5;             ///< of the approach to the players, per second
+  static constexpr double kSlowRate = 1.5;       ///< the same with reduced motion
   static constexpr double kSmallest = 0.4;       ///< of the size of a player in its own view
   static constexpr double kSlant = 0.35;         ///< sine of the least angle under which the face of a player is seen
-  static constexpr double kTogetherSeconds = 1;  ///< for which they are together before the picture is one again
+  static constexpr double kDowns = 0.7;          ///< cosine of the largest angle between their ups in the picture
+  static constexpr double kTogetherSeconds = 2;  ///< for which they are together before the picture is one again
 
   /// Follows the players, of which there is at least one, for `seconds` ≥ 0. `aspect`: width of the picture divided by
   /// its height. `own`: the view of the first player, where this one begins.
-  void move(std::span<const Pose> players, const SolidMesh& mesh, double zoom, double aspect, const ViewPoint& own,
-            double seconds);
-  /// The next `move` begins anew: on another stage.
+  void move(std::span<const Pose> players, const SolidMesh& mesh, const CameraComfort& comfort, double zoom,
+            double aspect, const ViewPoint& own, double seconds);
+  /// The next `move` begins anew, from the view of the first player.
   void reset() { isSet_ = false; }
 
   /// Whether one picture shows all players. At first as they are; from apart to together only after kTogetherSeconds.
   bool together() const { return together_; }
+  /// Whether it has moved since it began.
+  bool isSet() const { return isSet_; }
   const ViewPoint& view() const { return view_; }
 
  private:

@@ -47,9 +47,7 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
 
 void addPlayers(Scene& scene, const SceneSource& source) {
   const auto add = [&](const InterpolatedPlayer& time, std::uint32_t slot, Point offset) {
-    const bool present = time.before.present && time.now.present;
-    if (present) scene.players.push_back(drawingOf(source, time, slot, offset));
-    return present;
+    if (time.before.present && time.now.present) scene.players.push_back(drawingOf(source, time, slot, offset));
   };
   const auto isCompanion = [&](std::uint32_t slot) {
     return std::any_of(source.companions.begin(), source.companions.end(),
@@ -57,8 +55,7 @@ void addPlayers(Scene& scene, const SceneSource& source) {
   };
   for (std::uint32_t slot = 0; slot < source.others.now.size(); ++slot)
     if (slot != source.localSlot && !isCompanion(slot)) add(source.others.at(slot), slot, {});
-  for (const CompanionSource& companion : source.companions)
-    if (add(companion.player, companion.slot, companion.offset)) scene.players.back().companion = true;
+  for (const CompanionSource& companion : source.companions) add(companion.player, companion.slot, companion.offset);
   std::sort(scene.players.begin(), scene.players.end(),
             [](const PlayerDrawing& a, const PlayerDrawing& b) { return a.slot < b.slot; });
   if (source.localSlot)
@@ -104,6 +101,7 @@ Scene makeScene(const SceneSource& source) {
   scene.over = source.roundOver || (source.timed && source.game->over());
   const std::uint32_t needed = source.game->level().players;
   scene.isTeam = needed > 1;
+  if (scene.isTeam && source.team.arrived()) scene.teamSeconds = secondsOf(source.team.ticks());
   const bool tooFew = !scene.players.empty() && scene.players.size() < needed;  // at first, nobody has appeared yet
   if (source.othersCanJoin && tooFew && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {

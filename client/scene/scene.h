@@ -47,7 +47,8 @@ struct SceneSource {
   std::span<const std::string> names;                        ///< by slot, UTF-8
   std::span<const std::optional<std::uint32_t>> roundTrips;  ///< by slot, milliseconds
   std::span<const double> flashes;  ///< by slot, 0 … 1: brightness of the flash after an event
-  AttemptTime attempt;              ///< of the local player; in a level for several players, of all of them
+  AttemptTime attempt;              ///< of the local player
+  AttemptTime team;                 ///< of all players of a level for several as one (teamOf)
   bool needsRestart = false;        ///< EndlessFall::needsHint of the local player
   bool longFall = false;            ///< EndlessFall::isLong of the local player
   bool othersCanJoin = false;       ///< so the scene tells how many players are missing
@@ -64,7 +65,6 @@ struct PlayerDrawing {
   std::string number;  ///< slot + 1
   std::string name;
   bool local = false;                        ///< the one whose scene it is
-  bool companion = false;                    ///< another local player
   float flash = 0;                           ///< brightness of the flash after an event, 0 … 1
   float opacity = 1;                         ///< below 1: a ghost
   std::optional<std::uint32_t> roundTripMs;  ///< to the server; nothing: not known
@@ -72,7 +72,7 @@ struct PlayerDrawing {
   std::optional<double> finishSeconds;       ///< shortest time of an attempt to the goal in this round
 };
 
-/// The attempt to reach the goal: of the local player, or of all players of a level for several.
+/// The local player's attempt to reach the goal.
 struct AttemptDrawing {
   double seconds = 0;    ///< since its first input, up to the goal
   bool arrived = false;  ///< the time stands still
@@ -92,11 +92,17 @@ struct Scene {
   bool timed = true;       ///< the round has a time limit
   std::optional<AttemptDrawing> attempt;  ///< unset without a local player
   bool isTeam = false;                    ///< the level is for several players, who reach its goal together
+  std::optional<double> teamSeconds;      ///< of a team: until the first of them was at the goal; unset before
   bool needsRestart = false;              ///< the local player will not land: it must go back to the start
   bool longFall = false;                  ///< the local player falls over edge after edge: it is seen from afar
   std::uint32_t neededPlayers = 0;        ///< how many the level needs; 0: enough are present, or no others can join
   bool over = false;
 };
+
+/// The slot of the local player; UINT32_MAX without one.
+inline std::uint32_t localSlotOf(const Scene& scene) {
+  return !scene.players.empty() && scene.players.back().local ? scene.players.back().slot : UINT32_MAX;
+}
 
 Scene makeScene(const SceneSource& source);
 

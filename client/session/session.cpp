@@ -79,6 +79,9 @@ void Session::handle(const LocalSlots& message, Time now) {
   }
   slots_ = message.slots;
   if (round_) round_->setSlots(slots_);
+  // Who has left meanwhile, as during an outage, was not told yet to a server that resumes all players.
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local)
+    if (slots_[local] && !companions_[local]) sendCompanion(local);
 }
 
 // Those that are refused, or removed. Others that have no slot may still get one: their requests are on the way.

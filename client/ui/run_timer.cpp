@@ -39,7 +39,7 @@ std::string slowedText(double speed) { return "at " + std::to_string(std::lround
 
 std::optional<std::uint32_t> arrivalTicksOf(const Scene& scene) {
   if (!scene.attempt || !scene.attempt->arrived) return std::nullopt;
-  return static_cast<std::uint32_t>(std::lround(scene.attempt->seconds * kTicksPerSecond));
+  return static_cast<std::uint32_t>(std::lround(scene.teamSeconds.value_or(scene.attempt->seconds) * kTicksPerSecond));
 }
 
 std::string ownMedalText(const Scene& scene, const std::optional<MedalTimes>& times) {

@@ -16,6 +16,8 @@ class Spectator {
   void next() { asked_ = true; }
   /// Directs the camera of the next picture. While the local player is on its way, the camera follows it.
   void direct(Scene& scene, const KeyHints& keys = KeyHints());
+  /// Watches nobody, and forgets `next`.
+  void reset() { *this = Spectator(); }
   /// What to tell the player of this; empty while there is nobody to watch.
   const std::string& hint() const { return hint_; }
 

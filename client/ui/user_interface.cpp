@@ -8,6 +8,7 @@ std::optional<Action> UserInterface::handle(const KeyEvent& event, bool menuOpen
   const std::uint32_t local = devices_.ownerOf(event, settings_.secondKeys);
   if (event.kind == KeyEvent::Kind::kPress && local == 0)
     padUsed_ = isOfGamepad(event.key) ? std::optional(event.pad) : std::nullopt;
+  devices_.observe(event);
   configure();
   const std::optional<Action> action = mappers_[local].handle(event, menuOpen);
   if (action == Action::kToggleHelp) helpShown_ = !helpShown_;
@@ -20,6 +21,7 @@ std::optional<Action> UserInterface::handle(const KeyEvent& event, bool menuOpen
 // A device that changes hands holds no key.
 void UserInterface::join(const KeyEvent& event) {
   deviceChange_ = devices_.toggle(event);
+  if (isOfGamepad(event.key) && padUsed_ == event.pad) padUsed_.reset();
   for (InputMapper& mapper : mappers_) mapper.release();
 }
 
@@ -38,7 +40,8 @@ void UserInterface::configure() {
   Bindings companion = settings_.secondKeys;
   for (std::size_t i = 0; i < kControlCount; ++i) {
     const auto control = static_cast<Control>(i);
-    if (const std::optional<Key> pad = settings_.bindings.keysOf(control).pad) companion.bind(control, *pad);
+    const std::optional<Key> pad = settings_.bindings.keysOf(control).pad;
+    if (pad && isOfSet(control, KeySet::kSecond)) companion.bind(control, *pad);
   }
   for (std::size_t local = 1; local < mappers_.size(); ++local) mappers_[local].configure(companion, {});
 }
@@ -52,10 +55,9 @@ HeldKeys UserInterface::takeHeld(bool menuOpen, std::uint32_t local) {
 }
 
 bool UserInterface::loseGamepad(int pad) {
-  if (devices_.lose(pad)) return true;
-  if (padUsed_ != pad) return false;
-  padUsed_.reset();
-  return true;
+  const bool isOwn = padUsed_ == pad;
+  if (isOwn) padUsed_.reset();
+  return devices_.lose(pad) || isOwn;
 }
 
 }  // namespace platon

@@ -113,7 +113,7 @@ void Match::handle(ClientId id, MatchClient& client, const Companion& companion)
   std::string fault;
   if (ends || client.mayChangeCompanion(now_))
     fault = changeCompanion(id, client, companion);
-  else if (client.shouldTellExcess(now_))
+  else if (client.shouldTellExcess(companion.local, now_))
     fault = "players join here too often: wait two seconds";
   else
     return;

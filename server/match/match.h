@@ -72,8 +72,8 @@ class Match {
   void updateLevels(std::vector<LevelPointer> levels) { rounds_.updateLevels(std::move(levels), roster_, output_); }
   /// Whether times may become best times; they may at first. Not: neither may those of the present attempts.
   void countTimes(bool count) { rounds_.countTimes(count); }
-  /// Says in which slot the player is whose times MatchSettings::keepsTimesOfOne keeps.
-  void keepTimesOf(std::uint32_t slot) { rounds_.keepTimesOf(slot); }
+  /// Says in which slots the players are whose times MatchSettings::keepsTimesOfOne keeps.
+  void keepTimesOf(const SlotsByLocal& slots) { rounds_.keepTimesOf(slots); }
   /// Whether one client at most plays, for whose players the rounds wait: they have no time limit.
   bool waits() const { return rounds_.waits(roster_); }
   /// `name`: a label; invisible characters are left out.

@@ -102,8 +102,10 @@ class MatchClient {
 
   /// Whether the client may add or rename a companion at tick `now` of the match; it counts then.
   bool mayChangeCompanion(std::uint64_t now) { return companionBudget_.take(now); }
-  /// Whether to tell the client that it changes companions too often: once a tick.
-  bool shouldTellExcess(std::uint64_t now) { return std::exchange(excessToldAt_, now) != now; }
+  /// Whether to tell the client that it changes companions too often: once a tick of each local number.
+  bool shouldTellExcess(std::uint32_t local, std::uint64_t now) {
+    return std::exchange(excessToldAt_[local < kMaxLocalPlayers ? local : 0], now) != now;
+  }
   /// Whether the client may have further companions: until one of them was kicked, or that one would be back at once.
   bool mayAddCompanions() const { return mayAddCompanions_; }
   void forbidCompanions() { mayAddCompanions_ = false; }
@@ -138,7 +140,7 @@ class MatchClient {
   IpAddress address_;
   std::map<std::uint32_t, MatchPlayer> players_;  // that of Hello always
   TickBudget companionBudget_{kCompanionsPerSecond, kCompanionBurst};
-  std::uint64_t excessToldAt_ = UINT64_MAX;
+  std::array<std::uint64_t, kMaxLocalPlayers> excessToldAt_ = {UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX};
   bool mayAddCompanions_ = true;
   VoteWish wish_;
   InputArrival arrival_;

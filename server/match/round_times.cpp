@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "platon/game/game.h"
-#include "protocol/to_client.h"
 #include "server/match/roster.h"
 
 namespace platon {
@@ -37,7 +36,8 @@ bool RoundTimes::offerFinishes(const Game& game, const PlayerNames& names) {
     if (!arrives(game, slot) || player.startedAt <= uncountedAt_ || names.isFree(slot)) continue;
     const BestTime time{game.tick() - player.startedAt + 1, names.shown(slot)};
     if (time.ticks > kMaxBestTicks) continue;
-    const bool lasts = !keepsTimesOfOne_ || (slot == keptSlot_ && player.startedAt > sharedAt_);
+    const bool isKept = std::find(kept_.begin(), kept_.end(), slot) != kept_.end();
+    const bool lasts = !keepsTimesOfOne_ || (isKept && player.startedAt > sharedAt_);
     isBest = keeper_->offer(game.level().hash, time, lasts) || isBest;
   }
   return isBest;

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "protocol/to_client.h"
+
 namespace platon {
 
 class Game;
 struct Level;
-struct LevelBest;
 class PlayerNames;
 
 /// A time in which a player has reached the goal of a level.
@@ -43,8 +44,8 @@ class RoundTimes {
   void startRound();
   /// Whether times count from now on; they do at first.
   void count(bool counts) { counts_ = counts; }
-  /// The slot of the player whose times are kept if those of one are; nobody's at first.
-  void keepOf(std::uint32_t slot) { keptSlot_ = slot; }
+  /// The slots of the players of the one client whose times are kept if those of one are; nobody's at first.
+  void keepOf(const SlotsByLocal& slots) { kept_ = slots; }
   /// Call after each tick of the game. `players`: number of connected ones. Returns whether a player has reached the
   /// goal in the best time of the level.
   bool note(const Game& game, const PlayerNames& names, std::size_t players);
@@ -58,7 +59,7 @@ class RoundTimes {
 
   BestTimeKeeper* keeper_;
   bool keepsTimesOfOne_;
-  std::uint32_t keptSlot_ = UINT32_MAX;
+  SlotsByLocal kept_;
   bool counts_ = true;
   std::uint32_t uncountedAt_ = 0;  // last tick of the round in which times did not count; 0: none
   std::uint32_t sharedAt_ = 0;     // last tick of the round with more players than the level needs; 0: none

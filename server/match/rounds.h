@@ -76,7 +76,7 @@ class MatchRounds {
   /// Whether times may become best times.
   void countTimes(bool count) { times_.count(count); }
   /// As RoundTimes::keepOf.
-  void keepTimesOf(std::uint32_t slot) { times_.keepOf(slot); }
+  void keepTimesOf(const SlotsByLocal& slots) { times_.keepOf(slots); }
 
   /// Call before a new player joins. Starts a round if nobody is left who plays the present one, or if those who were
   /// too few for a level for several have waited for this one.

@@ -201,7 +201,7 @@ MenuPage settingsPage(Settings& settings, const SubPages& pages, bool alone) {
       if (group == SettingGroup::kControls) {
         for (const KeySet set : {KeySet::kFirst, KeySet::kSecond}) page.items.push_back(keysItem(set, pages.keys));
         page.items.push_back({.name = "Others on this machine", .value = "choose", .choose = pages.companions});
-        page.items.back().about = "Names and balls of those who join here with F2, or with RT on a gamepad.";
+        page.items.back().about = "Names and balls of those who join you in the game with F2, or with RT on a gamepad.";
       }
     }
     for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));
@@ -275,7 +275,7 @@ MenuPage controlsPage(Bindings& bindings, ControlsForm& form, KeySet set) {
   }
   page.items.push_back({.name = "Reset to the defaults", .choose = [&bindings, &form, set] {
                           bindings = Bindings(set);
-                          form = {{}, "All keys and buttons have their defaults."};
+                          form = {{}, "All of them have their defaults."};
                         }});
   if (form.waiting) page.takeKey = [&bindings, &form, set](const KeyEvent& event) { take(event, bindings, form, set); };
   return page;
@@ -284,16 +284,18 @@ MenuPage controlsPage(Bindings& bindings, ControlsForm& form, KeySet set) {
 // A name that is no label changes nothing.
 MenuPage companionsPage(Settings& settings, CompanionsForm& form) {
   MenuPage page{"Others on this machine",
-                {"F2: another player joins at this keyboard. RT on a gamepad: another one joins with it."}};
+                {"In the game, F2 lets another player join at this keyboard, and RT one with a gamepad."}};
   for (std::size_t local = 1; local < kMaxLocalPlayers; ++local) {
     TextField& field = form.names[local];
     if (isLabel(field.text(), kMaxNameBytes)) settings.companion(local).name = visibleLabel(field.text());
     page.items.push_back({MenuItem::Kind::kText, "Name of player " + std::to_string(local + 1)});
     page.items.back().field = &field;
-  }
-  for (const Setting& setting : settingTable()) {
-    if (setting.group != SettingGroup::kCompanions) continue;
-    for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));
+    for (const Setting& setting : settingTable()) {
+      const bool isOfPlayer =
+          setting.group == SettingGroup::kCompanions && setting.name.ends_with(std::to_string(local + 1));
+      if (!isOfPlayer) continue;
+      for (MenuItem& item : itemsOf(setting, settings)) page.items.push_back(std::move(item));
+    }
   }
   return page;
 }

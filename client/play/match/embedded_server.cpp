@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -137,7 +138,10 @@ struct EmbeddedServer::Running {
   void step() {
     if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
     server.match().countTimes(timesCount);
-    server.match().keepTimesOf(keptSlot);
+    {
+      const std::lock_guard lock(keptMutex);
+      server.match().keepTimesOf(kept);
+    }
     if (nextAsked.exchange(false)) server.match().startNextRound();
     server.step(now());
     clients = server.match().clients();
@@ -161,7 +165,8 @@ struct EmbeddedServer::Running {
   std::atomic<bool> stop{false};
   std::atomic<bool> nextAsked{false};
   std::atomic<bool> timesCount{true};
-  std::atomic<std::uint32_t> keptSlot{UINT32_MAX};  // of nobody at first
+  std::mutex keptMutex;
+  SlotsByLocal kept;  // nobody's at first
   std::atomic<std::size_t> clients{0};
   std::atomic<bool> waits{false};
   std::thread thread;  // last: uses the members above from its start; not joinable: there is none
@@ -189,7 +194,10 @@ bool EmbeddedServer::waits() const { return running_->waits; }
 
 void EmbeddedServer::countTimes(bool count) { running_->timesCount = count; }
 
-void EmbeddedServer::keepTimesOf(std::uint32_t slot) { running_->keptSlot = slot; }
+void EmbeddedServer::keepTimesOf(const SlotsByLocal& slots) {
+  const std::lock_guard lock(running_->keptMutex);
+  running_->kept = slots;
+}
 
 void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/time/clock.h"
+#include "protocol/to_client.h"
 #include "protocol/transport/noise.h"
 #include "protocol/transport/server_address.h"
 
@@ -49,8 +50,8 @@ class EmbeddedServer {
   bool waits() const;
   /// Whether times may become best times (Match::countTimes).
   void countTimes(bool count);
-  /// The player of this program is in this slot: only its times outlast the server (Match::keepTimesOf).
-  void keepTimesOf(std::uint32_t slot);
+  /// The players of this program are in these slots: only their times outlast the server (Match::keepTimesOf).
+  void keepTimesOf(const SlotsByLocal& slots);
   /// Starts the next level at once.
   void startNextLevel();
 

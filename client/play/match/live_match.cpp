@@ -161,17 +161,19 @@ void LiveMatch::run(double speed) {
   if (player != nullptr) attempt_.observe(round->id(), *player, speed);
   const bool counts = speed == 1 && !demo_;
   if (server_) server_->countTimes(counts);
-  if (server_ && round != nullptr) server_->keepTimesOf(round->prediction().slot());
+  if (server_) server_->keepTimesOf(slots());
   runs_->countRuns(counts);
   time_->setSpeed(speed);
 }
 
-// Also an attempt whose time does not count has reached the goal.
+// Also an attempt whose time does not count has reached the goal, and any player of this machine reaches it for all.
 void LiveMatch::noteGoal() {
-  const Round* const round = roundOf(client_);
-  const PlayerState* const player = round == nullptr ? nullptr : localPlayer(*round);
-  if (player == nullptr || player->arrived == 0 || !alone()) return;
-  printFault(reached_.add(round->prediction().confirmed().level().hash));
+  if (!alone()) return;
+  for (const std::optional<std::uint32_t>& slot : slots()) {
+    const Game& game = roundOf(client_)->prediction().confirmed();
+    if (slot && *slot < game.slots() && game.player(*slot).arrived != 0)
+      return printFault(reached_.add(game.level().hash));
+  }
 }
 
 void LiveMatch::report() {
@@ -230,8 +232,12 @@ std::shared_ptr<const Level> LiveMatch::level() const {
   return round == nullptr ? nullptr : round->prediction().confirmed().sharedLevel();
 }
 
-// Nobody finishes a level for several players alone, so it may be left without a question.
-bool LiveMatch::losesNothing() const { return roundOver() || (level() && level()->players > 1); }
+// Too few players never finish a level for several, so it may be left without a question.
+bool LiveMatch::losesNothing() const {
+  const SlotsByLocal players = slots();
+  const auto count = std::count_if(players.begin(), players.end(), [](const auto& slot) { return slot.has_value(); });
+  return roundOver() || (level() && level()->players > count);
+}
 
 std::vector<GhostSource> LiveMatch::ghosts(const Settings& settings) const {
   const Round* const round = roundOf(client_);

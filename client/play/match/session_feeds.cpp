@@ -45,6 +45,8 @@ std::optional<CueSource> sourceOf(const Session* session, const Scene* scene, st
   source.confirmedTicks = prediction.confirmedTicks();
   source.othersTick = round.interpolationBuffer().tick();
   source.localSlot = prediction.slot();
+  for (std::size_t local = 1; local < prediction.slots().size(); ++local)
+    if (prediction.slots()[local]) source.companions.push_back(*prediction.slots()[local]);
   source.over = scene->over;
   source.timed = scene->timed;
   source.nextRoundSeconds = nextRoundSeconds;
@@ -94,7 +96,8 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Time now, SceneExt
   source.roundTrips = roundTrips_;
   updateFlashes(*round);
   source.flashes = flashes_;
-  source.attempt = level_->players > 1 ? round->teamTime() : round->attemptTime(local);
+  source.attempt = round->attemptTime(local);
+  source.team = round->teamTime();
   source.needsRestart = round->endlessFall(local).needsHint();
   source.longFall = round->endlessFall(local).isLong();
   source.othersCanJoin = true;

@@ -44,8 +44,11 @@ std::optional<Control> controlNamed(std::string_view word);
 /// keyboard.
 enum class KeySet : std::uint8_t { kFirst, kSecond };
 
-/// Whether the control can have keys of the set: the second player moves its ball, all else belongs to the first one.
-constexpr bool isOfSet(Control control, KeySet set) { return set == KeySet::kFirst || control <= Control::kRestart; }
+/// Whether the control can have keys of the set: companions move their balls and show emotes, all else belongs to the
+/// first player.
+constexpr bool isOfSet(Control control, KeySet set) {
+  return set == KeySet::kFirst || control <= Control::kRestart || control >= Control::kEmote1;
+}
 
 /// The frame that left and right refer to. The two frames differ while the camera rolls.
 enum class ControlFrame : std::uint8_t { kPlayer, kScreen };

@@ -39,8 +39,6 @@ std::optional<Action> fixedActionOf(const KeyEvent& event, bool menuOpen) {
       return menuOpen ? std::nullopt : std::optional(Action::kOpenMenu);
     case Key::kF1:
       return menuOpen ? std::nullopt : std::optional(Action::kToggleHelp);
-    case Key::kF2:
-      return menuOpen ? std::nullopt : std::optional(Action::kJoin);
     case Key::kF3:
       return menuOpen ? std::nullopt : std::optional(Action::kToggleNetGraph);
     case Key::kF11:
@@ -57,7 +55,8 @@ std::optional<Action> fixedActionOf(const KeyEvent& event, bool menuOpen) {
 // Of the keys that have their meaning as long as no control has them.
 std::optional<Action> unboundActionOf(Key key) {
   if (key == Key::kEnter) return Action::kGoOn;
-  return key == Key::kPadRightTrigger ? std::optional(Action::kJoin) : std::nullopt;
+  const bool joins = key == Key::kF2 || key == Key::kPadRightTrigger;
+  return joins ? std::optional(Action::kJoin) : std::nullopt;
 }
 
 }  // namespace

@@ -161,10 +161,18 @@ std::string KeyHints::of(Control control) const {
 
 std::string KeyHints::to(Control control, const std::string& what) const { return of(control) + ": " + what; }
 
+std::string KeyHints::join() const {
+  const bool byPad = gamepad_ && !bindings_.controlOf(Key::kPadRightTrigger);
+  return std::string(shownNameOf(byPad ? Key::kPadRightTrigger : Key::kF2));
+}
+
 std::string KeyHints::look() const {
   if (gamepad_) return std::string(shownNameOf(Key::kPadLookLeft));
   const std::string key = nameOf(bindings_.keysOf(Control::kLook).first);
-  return key.empty() ? "right mouse button" : key + " and arrows";
+  if (key.empty()) return "right mouse button";
+  const ControlKeys& left = bindings_.keysOf(Control::kLeft);
+  const bool arrows = left.first == Key::kArrowLeft || left.second == Key::kArrowLeft;
+  return key + " and " + (arrows ? "arrows" : run());
 }
 
 std::string KeyHints::goOn() const {

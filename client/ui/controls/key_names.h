@@ -35,6 +35,8 @@ class KeyHints {
   /// The keys that run to both sides: `← → or A D`.
   std::string run() const;
 
+  /// What lets another player of this machine join: `F2`, or with `RT` on the gamepad unless a control has it.
+  std::string join() const;
   /// What looks round the solid: `Tab and arrows`.
   std::string look() const;
   /// The key that leads to the next level after the goal.

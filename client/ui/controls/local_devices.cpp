@@ -4,9 +4,9 @@
 
 namespace platon {
 
-std::optional<std::uint32_t> LocalDevices::find(int device) const {
+std::optional<std::uint32_t> LocalDevices::find(int id) const {
   for (std::uint32_t local = 1; local < devices_.size(); ++local)
-    if (devices_[local] == device) return local;
+    if (devices_[local] && devices_[local]->id == id) return local;
   return std::nullopt;
 }
 
@@ -16,24 +16,32 @@ std::uint32_t LocalDevices::ownerOf(const KeyEvent& event, const Bindings& secon
 }
 
 DeviceChange LocalDevices::toggle(const KeyEvent& event) {
-  const int device = isOfGamepad(event.key) ? event.pad : kKeyboard;
-  if (const std::optional<std::uint32_t> local = find(device)) {
+  const int id = isOfGamepad(event.key) ? event.pad : kKeyboard;
+  if (const std::optional<std::uint32_t> local = find(id)) {
     devices_[*local].reset();
     return DeviceChange::kLeft;
   }
-  if (const std::optional<std::uint32_t> lost = find(kLost)) {
-    devices_[*lost] = device;
+  const auto lost =
+      std::find_if(devices_.begin(), devices_.end(), [](const auto& device) { return device && device->isLost; });
+  if (lost != devices_.end()) {
+    *lost = Device{id};
     return DeviceChange::kReturned;
   }
-  const auto free = std::find(devices_.begin() + 1, devices_.end(), std::nullopt);
+  const auto free =
+      std::find_if(devices_.begin() + 1, devices_.end(), [](const auto& device) { return !device.has_value(); });
   if (free == devices_.end()) return DeviceChange::kNone;
-  *free = device;
+  *free = Device{id};
   return DeviceChange::kJoined;
+}
+
+void LocalDevices::observe(const KeyEvent& event) {
+  const std::optional<std::uint32_t> local = isOfGamepad(event.key) ? find(event.pad) : std::nullopt;
+  if (local && event.kind == KeyEvent::Kind::kPress) devices_[*local]->isLost = false;
 }
 
 bool LocalDevices::lose(int pad) {
   const std::optional<std::uint32_t> local = find(pad);
-  if (local) devices_[*local] = kLost;
+  if (local) devices_[*local]->isLost = true;
   return local.has_value();
 }
 

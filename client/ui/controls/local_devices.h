@@ -14,7 +14,7 @@ namespace platon {
 enum class DeviceChange : std::uint8_t {
   kJoined,
   kLeft,
-  kReturned,  ///< a companion whose gamepad was lost has this one
+  kReturned,  ///< a companion whose gamepad was lost has this device now
   kNone       ///< nobody more can play
 };
 
@@ -27,7 +27,9 @@ class LocalDevices {
   /// The second half of the keyboard, if `event` is a key of the keyboard, or the gamepad of the event joins: it gets
   /// the companion whose gamepad is lost, or the lowest free local number. If it plays already, its player leaves.
   DeviceChange toggle(const KeyEvent& event);
-  /// The gamepad is disconnected. Its companion stays, and waits for another one. Returns whether there is one.
+  /// Call with each event: a lost gamepad that is used again plays on.
+  void observe(const KeyEvent& event);
+  /// The gamepad is disconnected. Its companion stays, and waits for this one or another. Returns whether there is one.
   bool lose(int pad);
   /// The companion leaves.
   void remove(std::uint32_t local) { devices_[local].reset(); }
@@ -37,12 +39,16 @@ class LocalDevices {
   bool sharesKeyboard() const { return find(kKeyboard).has_value(); }
 
  private:
-  static constexpr int kKeyboard = -1;  // no id of a gamepad, as the next one
-  static constexpr int kLost = -2;
+  static constexpr int kKeyboard = -1;  // no id of a gamepad
 
-  std::optional<std::uint32_t> find(int device) const;
+  struct Device {
+    int id = kKeyboard;
+    bool isLost = false;
+  };
 
-  std::array<std::optional<int>, kMaxLocalPlayers> devices_;  // of companions, by local number
+  std::optional<std::uint32_t> find(int id) const;
+
+  std::array<std::optional<Device>, kMaxLocalPlayers> devices_;  // of companions, by local number
 };
 
 }  // namespace platon

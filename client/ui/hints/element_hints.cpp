@@ -22,8 +22,7 @@ std::string_view hintOf(ElementKind kind) {
     case ElementKind::kOneway:
       return "A ledge with arrows lets you pass the way they point";
     case ElementKind::kUp:
-      return "A block is filled and solid while its arrow points to the top edge of the face, or the left of two top "
-             "edges";
+      return "A wall of arrows is solid while they are filled. They are as long as they point up for you";
     case ElementKind::kHazard:
       return "Red thorns send you back to the start, or to your last flag";
     case ElementKind::kCheckpoint:

@@ -64,11 +64,13 @@ TEST(ResultsPanel, ATeamHasOneTimeAndNoRanks) {
   Scene scene = sceneOf(2);
   scene.isTeam = true;
   scene.players[1].finishSeconds = 12.34;
-  scene.attempt = {12.34, true};
+  scene.teamSeconds = 12.34;
+  scene.attempt = {15, true};
   EXPECT_EQ(linesOf(panelOf(scene, {"Corners", 4.2, 11.5, "Cid", false})),
             (std::vector<std::string>{"Time is up", "Name2 | ✓", "Name1 | –", "Together: 12.34 s",
                                       "Best time 11.50 s, Cid", "Next level in 5 s: Corners"}));
   EXPECT_EQ(ownResultOf(scene, {}, std::nullopt).headline, "Together at the goal!");
+  EXPECT_EQ(ownResultOf(scene, {}, std::nullopt).time, "12.34 s");
 }
 
 TEST(ResultsPanel, TellsTheKnownRoundTrips) {

@@ -88,7 +88,7 @@ TEST_F(WindowMatchTest, ALevelForTwoOfTheListIsHostedAndBeginsAnewWithTheGuest) 
         {[this] { clickOn("Levels"); }, [this] { return shows("Run and jump"); }},
         {[] { xdotool("key Up Up Up Up Up Up"); }, [&] { return isSelected("Hold the door"); }},
         {[] { xdotool("key Return"); }, [this] { return notes("This level needs 2 players") && shows("Join"); }},
-        {[] { xdotool("key Return"); }, [this] { return shows("First level"); }},
+        {[] { xdotool("key Down Return"); }, [this] { return shows("First level"); }},
         {[] { xdotool("key Up Up BackSpace BackSpace BackSpace BackSpace"); }, [] { return true; }},
         {[&] { xdotool("type " + port); }, [] { return true; }},
         {[] { xdotool("key Down Down Return"); }, [this] { return inGame() && levelTitle() == "Hold the door"; }},

@@ -71,11 +71,24 @@ TEST_F(SessionMessages, ARefusalIsToldAndConcernsTheCompanionThatAsked) {
 
 TEST_F(SessionMessages, ARemovedCompanionDoesNotComeAgain) {
   session_.setCompanion(1, "Ben");
-  receive(LocalSlots{{0, 2}});
+  receive(LocalSlots{{0, 2}, "", 1});
   session_.setCompanion(2, "Cid");
   receive(LocalSlots{{0}, "removed by the operator"});
   EXPECT_EQ(session_.takeNotice(), "removed by the operator");
   EXPECT_EQ(session_.companions(), (NamesByLocal{{{}, {}, "Cid"}})) << "its request is not answered yet";
+}
+
+TEST_F(SessionMessages, WhoHasLeftDuringAnOutageLeavesAfterIt) {
+  session_.setCompanion(1, "Ben");
+  receive(LocalSlots{{0, 2}, "", 1});
+  session_.connectionLost("gone");
+  Session::Memory left = session_.memory();
+  left.companions[1].reset();
+  Session next("x", Time(0), left);
+  next.receive(encode(Welcome{0, kRound, endlessLevel()->hash, 4, kTicksPerSecond, ""}), Time(0));
+  EXPECT_TRUE(askedOf(next).empty());
+  next.receive(encode(LocalSlots{{0, 2}}), Time(0));
+  EXPECT_EQ(askedOf(next), (std::vector<Companion>{{1, false, ""}}));
 }
 
 TEST_F(SessionMessages, CompanionsComeAgainWithTheNextSession) {

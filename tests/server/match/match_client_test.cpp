@@ -182,8 +182,8 @@ TEST_F(MatchClientTest, CompanionsChangeFourTimesAtOnceAndThenOnceInTwoSeconds) 
 
 TEST_F(MatchClientTest, ExcessIsToldOnceATick) {
   for (std::uint64_t tick = 0; tick < 3; ++tick) {
-    EXPECT_TRUE(client_.shouldTellExcess(tick));
-    EXPECT_FALSE(client_.shouldTellExcess(tick));
+    EXPECT_TRUE(client_.shouldTellExcess(1, tick));
+    EXPECT_FALSE(client_.shouldTellExcess(1, tick));
   }
 }
 

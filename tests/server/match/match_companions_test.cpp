@@ -352,7 +352,7 @@ TEST_F(CompanionPlay, ATimeOfTwoAtOneMachineDoesNotLastOnALevelForOne) {
       Match(LevelRotation({levelOf(shortWayText())}), {.maxPlayers = 4, .waitsForOne = true, .keepsTimesOfOne = true},
             {.bestTimes = &times}),
       {.delayMs = kTickMs});
-  network.match().keepTimesOf(0);
+  network.match().keepTimesOf({0});
   network.add(FakeClient("Ann", 12, running)).addCompanion(1, "Ben", idle);
   network.run(200);
   EXPECT_EQ(times.offered.size(), 1u);

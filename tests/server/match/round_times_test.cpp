@@ -132,7 +132,7 @@ TEST_F(BestTimeOfMatch, OnAServerThatKeepsTimesOfOneThoseWithOthersEndWithIt) {
   network.add(FakeClient("Ann", 12, [](std::uint32_t tick) { return tick < 30 ? 0 : +Input::kRight; }));
   network.add(FakeClient("Ben", 12, [](std::uint32_t tick) { return tick / 30 % 2 == 0 ? 0 : +Input::kLeft; }));
   network.run(40);
-  network.match().keepTimesOf(0);
+  network.match().keepTimesOf({0});
   network.leave(2);  // an attempt that has begun with others is not one alone
   while (network.match().round() == 1) network.tick();
   EXPECT_EQ(times.offered.size(), 1u);
@@ -154,7 +154,7 @@ TEST_F(BestTimeOfMatch, OnAServerThatKeepsTimesOfOneThoseOfAGuestEndWithIt) {
       {.delayMs = kTickMs});
   network.add(FakeClient("Host", 12, runner(60)));
   network.add(FakeClient("Bob", 12, runner(30)));
-  network.match().keepTimesOf(0);
+  network.match().keepTimesOf({0});
   const std::uint32_t round = network.match().round();
   while (network.match().round() == round) network.tick();
   ASSERT_EQ(times.offered.size(), 2u);

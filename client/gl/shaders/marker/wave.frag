@@ -9,6 +9,7 @@ void main() {
   float left = (1.0 - opened) * (1.0 - opened);
   float off = (r - wide) / (0.05 + 0.09 * opened) / radius;
   float ring = exp(-off * off) * 0.40;
-  float inner = smoothstep(wide, 0.2 * wide, r) * 0.16;
+  float edge = max(wide, 0.01 * radius);  // smoothstep is undefined between equal edges
+  float inner = (1.0 - smoothstep(0.2 * edge, edge, r)) * 0.16;
   result = vec4(0.86, 0.95, 1.0, left * (ring + inner) * inFace());
 }

@@ -116,7 +116,8 @@ TEST(BindingsText, TheDefaultsAreALineForEachControl) {
 TEST(BindingsText, TheSecondPlayerHasKeysToMoveItsBall) {
   EXPECT_EQ(linesOf(textOf(Bindings(KeySet::kSecond), KeySet::kSecond)),
             (Words{"key2 left arrow-left", "key2 right arrow-right", "key2 up arrow-up", "key2 down arrow-down",
-                   "key2 jump none", "key2 slow period", "key2 restart slash"}));
+                   "key2 jump none", "key2 slow period", "key2 restart slash", "key2 wave none", "key2 laugh none",
+                   "key2 here none", "key2 thanks none"}));
   const SettingsResult result = parseSettings("key2 jump hello\nkey2 left j k\n");
   EXPECT_EQ(result.errors, Words{"line 1: key2 jump must be none, or up to two keys, such as: arrow-left j"});
   EXPECT_EQ(result.settings.secondKeys.keysOf(Control::kLeft), (ControlKeys{Key::kJ, Key::kK, {}}));

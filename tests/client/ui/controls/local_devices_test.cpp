@@ -41,11 +41,22 @@ TEST(LocalDevices, FourGamepadsThatAreUnpluggedInTurnComeBackInTurn) {
   for (const int pad : {1, 2, 3}) devices.toggle(gamepad(pad));
   EXPECT_FALSE(devices.lose(0)) << "that of the first player";
   for (const int pad : {1, 2, 3}) EXPECT_TRUE(devices.lose(pad));
-  EXPECT_FALSE(devices.lose(3));
   for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local) EXPECT_TRUE(devices.has(local)) << "nothing is lost";
   for (const int pad : {9, 8, 7}) EXPECT_EQ(devices.toggle(gamepad(pad)), DeviceChange::kReturned);
   EXPECT_EQ(devices.ownerOf(gamepad(9), second), 1U);
   EXPECT_EQ(devices.ownerOf(gamepad(7), second), 3U);
+}
+
+TEST(LocalDevices, TheSameGamepadPlaysOnWhenItIsBack) {
+  const Bindings second(KeySet::kSecond);
+  LocalDevices devices;
+  devices.toggle(gamepad(1));
+  devices.toggle(gamepad(2));
+  devices.lose(1);
+  devices.observe({.key = Key::kPadLeft, .pad = 1});
+  EXPECT_EQ(devices.ownerOf(gamepad(1), second), 1U);
+  EXPECT_EQ(devices.toggle(gamepad(5)), DeviceChange::kJoined) << "nobody waits for a gamepad";
+  EXPECT_EQ(devices.toggle(gamepad(1)), DeviceChange::kLeft);
 }
 
 }  // namespace

@@ -152,9 +152,7 @@ TEST(ElementHints, ThatOfUpSaysWhenItBlocks) {
   ElementHints hints;
   UntoldElements untold;
   play(hints, elementsOf({ElementKind::kUp}), untold, 1);
-  EXPECT_EQ(
-      hints.hint(),
-      "A block is filled and solid while its arrow points to the top edge of the face, or the left of two top edges");
+  EXPECT_EQ(hints.hint(), "A wall of arrows is solid while they are filled. They are as long as they point up for you");
   for (const int edges : {3, 4, 5}) {
     for (int degrees = 0; degrees < 360; ++degrees) {
       Element element;
