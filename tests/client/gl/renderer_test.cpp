@@ -40,6 +40,34 @@ TEST(Render, AnotherContextGivesEqualBytes) {
   EXPECT_EQ(images[0], images[1]);
 }
 
+// Two views side by side are the pictures that each camera sees alone, with a gap between them.
+TEST_F(RenderTest, EachOfSeveralViewsShowsWhatItsCameraSees) {
+  const auto stage = cube();
+  const std::array scenes{sceneOf(stage, {playerAt(*stage, 0, 0, {30, 20})}),
+                          sceneOf(stage, {playerAt(*stage, 1, 2, {-60, 40})})};
+  constexpr std::uint32_t kPart = kWidth / 2 - 2;
+  std::array<Camera, 2> cameras;
+  std::array<Image, 2> alone;
+  for (std::size_t i = 0; i < 2; ++i) {
+    cameras[i].set(scenes[i].focus, stage->mesh, kPart, kHeight);
+    Renderer single(kPart, kHeight, font_);
+    single.draw(scenes[i], cameras[i], {}, kStill);
+    alone[i] = single.read();
+  }
+  const std::array views{SceneView{&scenes[0], &cameras[0], {0, 0}},
+                         SceneView{&scenes[1], &cameras[1], {kWidth - kPart, 0}}};
+  renderer_.draw(views, {}, kStill);
+  EXPECT_EQ(takeGlErrors(), "");
+  const Image both = renderer_.read();
+  for (int y = 0; y < static_cast<int>(kHeight); y += 7) {
+    for (int x = 0; x < static_cast<int>(kPart); x += 7) {
+      EXPECT_EQ(pixel(both, {x, y}), pixel(alone[0], {x, y})) << x << " " << y;
+      EXPECT_EQ(pixel(both, {x + static_cast<int>(kWidth - kPart), y}), pixel(alone[1], {x, y})) << x << " " << y;
+    }
+    EXPECT_EQ(pixel(both, {static_cast<int>(kWidth / 2), y}), glm::vec3(0)) << "the gap";
+  }
+}
+
 TEST_F(RenderTest, EverySolidCoversTheMiddleButNotTheCorners) {
   const std::array<std::pair<const char*, int>, 5> solids{
       {{"TETRAHEDRON", 4}, {"HEXAHEDRON", 6}, {"OCTAHEDRON", 8}, {"DODECAHEDRON", 12}, {"ICOSAHEDRON", 20}}};

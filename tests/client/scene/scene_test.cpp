@@ -141,6 +141,33 @@ TEST(Scene, HasTheAttemptAndTheHintOfTheLocalPlayer) {
   EXPECT_FALSE(makeScene(source).needsRestart);
 }
 
+// Companions are drawn from the predicted game, everybody once, and the local player last.
+TEST(Scene, CompanionsAreWhereThePredictedGameHasThem) {
+  Game confirmed(floorLevel());
+  run(confirmed, 3, 0, 30);
+  Game predicted = confirmed;
+  run(predicted, 3, Input::kRight, 20);
+  const std::vector<PlayerSnapshot> shown = playersOf(confirmed);
+  SceneSource source = sourceOf(predicted, shown, shown, 1);
+  const auto predictedPlayer = [&](std::uint32_t slot) {
+    return InterpolatedPlayer{snapshotOf(predicted, slot), snapshotOf(predicted, slot)};
+  };
+  source.localSlot = 1;
+  source.local = predictedPlayer(1);
+  source.companions = {{2, predictedPlayer(2), {}}};
+  source.ownBalls = {{1, {}}, {2, {.pattern = BallPattern::kBelt}}};
+  const Scene scene = makeScene(source);
+  ASSERT_EQ(scene.players.size(), 3U);
+  EXPECT_EQ(scene.players[0].slot, 0U);
+  EXPECT_EQ(scene.players[1].slot, 2U);
+  EXPECT_EQ(scene.players[2].slot, 1U);
+  EXPECT_FALSE(scene.players[1].local);
+  EXPECT_TRUE(scene.players[2].local);
+  EXPECT_EQ(scene.players[1].pattern, BallPattern::kBelt);
+  EXPECT_EQ(scene.players[1].pose.position, scene.players[2].pose.position);
+  EXPECT_NE(scene.players[0].pose.position, scene.players[1].pose.position) << "of the confirmed game";
+}
+
 TEST(Scene, TellsHowManyPlayersTheLevelNeedsWhileFewerAreThere) {
   const std::string floor = "HEXAHEDRON\n0 0 -180 0\n2 0 0\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n";
   Game game(loadLevel("# players: 2\n" + floor).level);

@@ -1,6 +1,9 @@
 #include "client/play/offscreen/step_play.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,6 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "client/ui/controls/key_names.h"
+#include "levels/solve/recorded_way.h"
+#include "platon/game/input.h"
+#include "protocol/hash_text.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -169,6 +175,48 @@ TEST(StepPlay, ATextIsTypedAsByItsKeys) {
   EXPECT_TRUE(typed == inTheAddress({"tap a 0", "tap minus 0", "press shift", "tap b 0.05", "release shift"}));
   EXPECT_TRUE(typed != inTheAddress({"type a-b"}));
 }
+
+// Presses and releases keys so that exactly these buttons of a player are held.
+void hold(StepPlay& play, std::uint8_t& held, std::uint8_t wanted, const std::vector<std::string>& keys) {
+  constexpr std::array<std::uint8_t, 4> kButtons{Input::kLeft, Input::kRight, Input::kJump, Input::kDown};
+  for (std::size_t i = 0; i < kButtons.size(); ++i) {
+    if ((held & kButtons[i]) == (wanted & kButtons[i])) continue;
+    ASSERT_EQ(play.obey(((wanted & kButtons[i]) != 0 ? "press " : "release ") + keys[i]).substr(0, 3), "ok ");
+  }
+  held = wanted;
+}
+
+class CoopLevel : public testing::TestWithParam<const char*> {};
+
+// As two friends play it: F2, and then each its keys. A press may come a tick early or late, which some ways do not
+// bear; companions_test goes those exactly.
+TEST_P(CoopLevel, IsFinishedByTwoOnOneKeyboard) {
+  const NewPlayer player;
+  const std::string level = GetParam();
+  const RecordedWay way = readRecordedWay(readBytes("levels/data/ways" + level.substr(level.find('/')) + ".recording"));
+  ASSERT_TRUE(way.level);
+  StepPlay play(optionsOf("levels/data/" + level + ".level"));
+  for (const char* const command : {"wait 3", "tap f2", "wait 2"}) ASSERT_EQ(play.obey(command).substr(0, 3), "ok ");
+  // Both go back to the start in the same tick, as both come there in the recorded way.
+  for (const char* const command : {"press r", "press slash", "wait 0.016667", "release r", "release slash"})
+    ASSERT_EQ(play.obey(command).substr(0, 3), "ok ");
+  std::uint8_t first = 0;
+  std::uint8_t second = 0;
+  for (std::size_t tick = 1; tick < way.inputs.size(); ++tick) {
+    hold(play, first, way.inputs[tick].at(0).buttons, {"a", "d", "space", "s"});
+    hold(play, second, way.inputs[tick].at(1).buttons, {"arrow-left", "arrow-right", "arrow-up", "arrow-down"});
+    ASSERT_EQ(play.obey("wait 0.016667").substr(0, 3), "ok ");
+  }
+  play.obey("wait 1");
+  play.obey("quit");
+  EXPECT_NE(readText(player.file("platon/reached_levels")).find(hashText(way.level->hash)), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, CoopLevel,
+                         testing::Values("hexahedron/06_hold_the_door", "tetrahedron/12_back_to_back"),
+                         [](const auto& each) {
+                           return std::string(each.param).substr(std::string(each.param).find('_') + 1);
+                         });
 
 }  // namespace
 }  // namespace platon::step_play_test
