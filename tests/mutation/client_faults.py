@@ -225,7 +225,7 @@ CLIENT_FAULTS = [
     at_length("lost-gamepads-lose-players", UI + "controls/local_devices.cpp", "if (local) devices_[*local]->isLost = true;", "if (local) devices_[*local].reset();",
               "a player whose gamepad is unplugged leaves",
               "LocalDevices.FourGamepadsThatAreUnpluggedInTurnComeBackInTurn"),
-    at_length("hidden-players-are-together", "client/scene/group_view.cpp", "if (!isSeen || ", "if (",
+    at_length("hidden-players-are-together", "client/scene/group_view.cpp", "> GroupView::kSlant * glm::length(way)", "> -glm::length(way)",
               "a player behind the solid is said to be in the picture",
               "GroupView.NobodyIsHiddenOrOutOfThePictureWhileTheyAreTogether"),
     at_length("together-at-once", "client/scene/group_view.cpp", "seconds_ >= kTogetherSeconds", "seconds_ >= 0",
