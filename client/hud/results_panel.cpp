@@ -97,7 +97,7 @@ OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optio
 
 void addOwnResult(OverlayWriter& writer, const OwnResult& result, glm::vec2 top) {
   constexpr float kPadding = 18;
-  constexpr float kLineHeight = 1.35F;  // of a text of size 1
+  constexpr float kSpacing = 1.35F;  // of the lines, for a text of size 1
   struct Line {
     std::string text;
     float size;
@@ -112,14 +112,14 @@ void addOwnResult(OverlayWriter& writer, const OwnResult& result, glm::vec2 top)
   float height = kPadding;
   for (const Line& line : lines) {
     width = std::max(width, writer.width(line.text, line.size));
-    height += kLineHeight * line.size;
+    height += kSpacing * line.size;
   }
   const glm::vec2 half(width / 2 + 2 * kPadding, 0);
   writer.panel(top - half, top + half + glm::vec2(0, height), kPadding, kPanel);
   top.y += kPadding / 2;
   for (const Line& line : lines) {
     writer.centred(line.text, {top.x, top.y + line.size}, line.size, line.colour);
-    top.y += kLineHeight * line.size;
+    top.y += kSpacing * line.size;
   }
 }
 
