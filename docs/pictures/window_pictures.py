@@ -13,7 +13,7 @@ SECONDS = 8  # until the window closes, which writes the picture
 PICTURES = [
     {"name": "title.png", "keys": []},
     {"name": "levels.png", "keys": ["Down", "Return"] + 3 * ["Up"], "times": True},
-    {"name": "settings.png", "keys": 5 * ["Down"] + ["Return"]},
+    {"name": "settings.png", "keys": 7 * ["Down"] + ["Return"]},
 ]
 SETTINGS = "reduced-motion on\nquality high\n"
 
