@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Tests where draw.py puts faults, that a seed repeats them, and which of them are explained."""
+"""Tests where draw.py puts faults, that a seed repeats them, which of them are explained, and in which builds."""
 
 import tempfile
 import unittest
 from pathlib import Path
 
 import draw
+from shared_build import BuildError, SharedBuild
 from sites import Finder, changed_constants
 
 FUNCTION = "void f() {{\n  {}\n}}\n"
@@ -172,6 +173,16 @@ class Reports(unittest.TestCase):
         self.assertEqual(summary, "seed 7: 1 caught, 1 explained, 1 survived of 3 faults: 66.7 %")
         self.assertEqual(draw.Report(7, {}, file).results, report.results)
         self.assertEqual(draw.Report(8, {}, file).results, {})
+
+
+class Builds(unittest.TestCase):
+    def test_a_build_without_shared_libraries_is_refused(self):
+        """Before, no fault changed a program of such a build, and all were said to survive."""
+        with tempfile.TemporaryDirectory() as folder:
+            rules = "rule link\n  command = c++ a.o -o $out\nbuild program: link\nbuild all: phony program\n"
+            Path(folder, "build.ninja").write_text(rules, encoding="utf-8")
+            with self.assertRaisesRegex(BuildError, "no shared libraries: give a build with the preset 'faults'"):
+                SharedBuild(Path(folder), Path(folder))
 
 
 if __name__ == "__main__":

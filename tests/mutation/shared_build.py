@@ -44,6 +44,8 @@ class SharedBuild:
                 continue
             kind = self.objects if "-c" in words else self.libraries if "-shared" in words else self.programs
             kind[following(words, "-o")] = words
+        if not self.libraries:
+            raise BuildError(f"{directory} has no shared libraries: give a build with the preset 'faults'")
         self._library_of = {word: name for name, words in self.libraries.items() for word in words if word.endswith(".o")}
 
     def objects_of(self, file):
