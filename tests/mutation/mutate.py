@@ -92,10 +92,14 @@ class Trial:
             broken.write_text(sound.replace(fault.original, fault.replaced), encoding="utf-8")
             loaded = self._build.libraries_of(program)
             units = [unit for unit in self._build.objects_of(fault.file) if self._build.library_of(unit) in loaded]
-            if self._build.changed_libraries(fault.file, overlay, units) is None:
+            libraries = self._build.changed_libraries(fault.file, overlay, units)
+            if libraries is None:
                 return None, False
             executable = self._executable(fault.test)
-            if self._build.depends(program, fault.file):
+            depends = self._build.depends(program, fault.file)
+            if not libraries and not depends:
+                raise RuntimeError(f"{fault.name} changes neither a shared library nor its test")
+            if depends:
                 executable = self._build.link_test(program, name, fault.file, overlay)
             return (self._failure(executable, fault.test, overlay), True) if executable else (None, False)
 
