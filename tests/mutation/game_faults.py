@@ -286,7 +286,7 @@ GAME_FAULTS = [
     at_length("raw-bytes-in-a-message", GAME + "element_words.cpp",
               'quoted(textOf(words.first(wanted)))', '("\'" + textOf(words.first(wanted)) + "\'")',
               "a message repeats bytes that are no characters",
-              "LevelFuzzTest.AMutatedLevelIsRefusedOrValid"),
+              "ElementWordsTest.AMessageRepeatsNoBytesThatAreNoCharacters"),
 
     # The goal, seen over edges.
     Fault("seen-over-one-edge", GAME + "seen_places.cpp", "places.push_back({further.target, rounded(further.map(seen))});",

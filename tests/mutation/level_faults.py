@@ -8,7 +8,7 @@ LEVEL_FAULTS = [
     at_length("slide-as-slow-as-a-run", REACH,
               "cell.steep ? envelope.slidingSpeed(cell.flattest, visit.speed) : visit.speed", "visit.speed",
               "a place that is reached after a slide is called out of reach",
-              "ReachTest.ASlideDownASteepSegmentLeadsOverAWiderGap"),
+              "ReachTest.AJumpAfterASlideLeadsOverAWiderGap"),
     at_length("landings-as-slow-as-a-run", REACH,
               "std::max(envelope.paceOf(visit.speed) - 1, 0)", "0",
               "who jumps after a slide gets no farther than who runs",

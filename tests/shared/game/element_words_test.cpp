@@ -72,6 +72,12 @@ TEST(ElementWordsTest, ATimedSegmentIsSolidAndOpenForAtMostAMinute) {
   EXPECT_EQ(messageOf("timed 60 99999999999999999999"), open + "'99999999999999999999'");
 }
 
+TEST(ElementWordsTest, AMessageRepeatsNoBytesThatAreNoCharacters) {
+  const Reading reading = read("key \xff 3");
+  ASSERT_EQ(reading.diagnostics.size(), 1u);
+  EXPECT_EQ(reading.diagnostics[0].message, "unexpected '3' after 'key ?': remove it");
+}
+
 TEST(ElementWordsTest, AHintNamesTheNearestWordIfItIsNear) {
   for (const auto& [typed, meant] : {std::pair("onewy", "oneway"),
                                      {"chekpoint", "checkpoint"},
