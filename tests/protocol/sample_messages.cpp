@@ -14,7 +14,7 @@ PlayerInputs manyInputs() {
 // Of as many players, and as long, as there can be.
 PlayerInputs manyInputsOfAll() {
   PlayerInputs message{UINT32_MAX, 255, UINT32_MAX - 600, 0xfedcba98, UINT32_MAX - 300, {}, 255};
-  for (std::uint32_t i = 0; i < kMaxInputsPerMessage; ++i) message.inputs.push_back(pressing(i % 2));
+  for (std::uint32_t i = 0; i < kMaxInputsPerMessage; ++i) message.inputs.push_back(pressing(i % 2 == 0 ? 0 : 1));
   for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local)
     message.companions.push_back({local, UINT32_MAX - 256, message.inputs});
   return message;
