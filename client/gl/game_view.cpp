@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "client/hud/hud_space.h"
@@ -44,7 +45,7 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   others_.clear();
   camera_.resize(width_, height_);
   if (scene != nullptr) {
-    if (group_.isSet() && groupStage_.lock() == scene->stage) camera_.goOnFrom(group_.view());
+    if (std::exchange(showsGroup_, false) && groupStage_.lock() == scene->stage) camera_.goOnFrom(group_.view());
     group_.reset();
     moveCamera(camera_, *scene, settings, seconds);
     fold(*scene);
@@ -127,12 +128,12 @@ bool GameView::isOneView(std::span<const Scene> scenes, const Settings& settings
     camera_.resize(width_, height_);
     moveCamera(camera_, first, settings, 0);
   }
-  const bool showsGroup = one && !camera_.flying();
-  if (showsGroup) camera_.show(group_.view(), first.stage->mesh);
+  showsGroup_ = one && !camera_.flying();
+  if (showsGroup_) camera_.show(group_.view(), first.stage->mesh);
   rolls_.clear();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const ViewPoint& own = (one ? camera_ : cameraOf(scenes, i)).camera().viewPoint();
-    rolls_.push_back(rollIn(showsGroup ? group_.view() : own, scenes[i].focus));
+    rolls_.push_back(rollIn(showsGroup_ ? group_.view() : own, scenes[i].focus));
   }
   return one;
 }
@@ -171,7 +172,7 @@ void GameView::moveCamera(GameCamera& camera, const Scene& scene, const Settings
   camera.setComfort(settings.comfort, settings.zoom);
   camera.setArrived(scene.attempt && scene.attempt->arrived);
   camera.setLongFall(scene.longFall);
-  camera.setBegun(!scene.attempt || scene.attempt->seconds > 0);
+  camera.setBegun(scene.begun);
   camera.move(scene.focus, scene.stage, scene.elements, &camera == &camera_ ? look_ : LookInput(), seconds);
 }
 

@@ -69,7 +69,8 @@ class GameView {
   /// Ends the flight soon.
   void skip() { camera_.skipFlight(); }
 
-  /// Camera::rollOf the focus of the last scene of this local player, for Steering.
+  /// How the player of the last scene at this place in the list of scenes is turned on the screen (Camera::rollOf), for
+  /// Steering.
   double roll(std::size_t view = 0) const { return view < rolls_.size() ? rolls_[view] : 0; }
   NetGraph& netGraph() { return netGraph_; }
   const Font& font() const { return font_; }
@@ -100,6 +101,7 @@ class GameView {
   GameCamera camera_;
   std::map<std::uint32_t, GameCamera> others_;  // of the local players but the first, by slot
   GroupView group_;
+  bool showsGroup_ = false;  // the last picture was the group's
   std::weak_ptr<const StageModel> groupStage_;
   LookInput look_;
   std::string notice_;

@@ -34,8 +34,6 @@ class GroupView {
 
   /// Whether one picture shows all players. At first as they are; from apart to together only after kTogetherSeconds.
   bool together() const { return together_; }
-  /// Whether it has moved since it began.
-  bool isSet() const { return isSet_; }
   const ViewPoint& view() const { return view_; }
 
  private:

@@ -99,10 +99,11 @@ Scene makeScene(const SceneSource& source) {
   scene.secondsLeft = secondsOf(source.game->ticksLeft());
   scene.timed = source.timed;
   scene.over = source.roundOver || (source.timed && source.game->over());
+  scene.begun = !source.localSlot || source.attempt.ticks() > 0;  // at first, nobody has appeared yet
   const std::uint32_t needed = source.game->level().players;
   scene.isTeam = needed > 1;
   if (scene.isTeam && source.team.arrived()) scene.teamSeconds = secondsOf(source.team.ticks());
-  const bool tooFew = !scene.players.empty() && scene.players.size() < needed;  // at first, nobody has appeared yet
+  const bool tooFew = !scene.players.empty() && scene.players.size() < needed;
   if (source.othersCanJoin && tooFew && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {
     scene.attempt = {secondsOf(source.attempt.ticks()), source.attempt.arrived()};

@@ -91,6 +91,7 @@ struct Scene {
   double secondsLeft = 0;  ///< of the round, if it is timed
   bool timed = true;       ///< the round has a time limit
   std::optional<AttemptDrawing> attempt;  ///< unset without a local player
+  bool begun = true;                      ///< the local player's attempt runs, or there is no such player
   bool isTeam = false;                    ///< the level is for several players, who reach its goal together
   std::optional<double> teamSeconds;      ///< of a team: until the first of them was at the goal; unset before
   bool needsRestart = false;              ///< the local player will not land: it must go back to the start

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -150,6 +151,38 @@ TEST_F(GameViewTest, ACutThatFadesBeginsWithThePictureBeforeIt) {
   EXPECT_LT(glm::distance(middle(drawn(view, &beyond, settings)), before), 0.02F);
   EXPECT_LT(glm::distance(middle(drawn(view, &beyond, settings)), (before + after) / 2.0F), 0.02F) << "after 0.1 s";
   EXPECT_EQ(drawn(view, &beyond, settings), drawn(cutting, &beyond, cuts)) << "after 0.2 s";
+}
+
+TEST_F(GameViewTest, TheWholeFaceIsSeenUntilThePlayerBegins) {
+  scene_.focus = stage_->mesh.pose(0, {180, 180}, 0);
+  GameView usual(kWidth, kHeight);
+  const Image expected = drawn(usual, &scene_);
+  Scene waiting = scene_;
+  waiting.begun = false;
+  GameView view(kWidth, kHeight);
+  const Image whole = drawn(view, &waiting);
+  EXPECT_GT(largestDifference(whole, expected), 50);
+  EXPECT_EQ(drawn(view, &waiting), whole);
+  for (int frame = 0; frame < 20; ++frame) drawn(view, &scene_);
+  EXPECT_LE(largestDifference(drawn(view, &scene_), expected), kRounding);
+}
+
+// Both players are near each other, so that one view could show them.
+TEST_F(GameViewTest, WhoPlaysOnAloneKeepsItsOwnViewUnlessThePictureWasOne) {
+  Scene second = sceneOf(stage_, {playerAt(*stage_, 0, 0, {30, 20}), playerAt(*stage_, 1, 0, {150, 20})});
+  for (PlayerDrawing* own : {&scene_.players.back(), &second.players.back()}) own->local = true;
+  scene_.focus = scene_.players.back().pose;
+  second.focus = second.players.back().pose;
+  GameView alone(kWidth, kHeight);
+  const Image expected = drawn(alone, &scene_);
+  for (const SharedViews views : {SharedViews::kEach, SharedViews::kOne}) {
+    Settings settings;
+    settings.views = views;
+    GameView view(kWidth, kHeight);
+    for (int frame = 0; frame < 30; ++frame) view.drawShared(std::vector{scene_, second}, {}, settings, {}, 0.1);
+    view.draw(&scene_, {}, settings, {}, 0);
+    EXPECT_EQ(largestDifference(view.read(), expected) <= kRounding, views == SharedViews::kEach);
+  }
 }
 
 }  // namespace

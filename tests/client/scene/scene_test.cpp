@@ -141,6 +141,24 @@ TEST(Scene, HasTheAttemptAndTheHintOfTheLocalPlayer) {
   EXPECT_FALSE(makeScene(source).needsRestart);
 }
 
+// The first pictures of a round have nobody yet: they took the player for one who had begun.
+TEST(Scene, APlayerWhoHasNotAppearedOrNotMovedHasNotBegun) {
+  Game game(floorLevel());
+  const auto hasBegun = [&](std::optional<std::uint32_t> local) {
+    const std::vector<PlayerSnapshot> players = playersOf(game);
+    SceneSource source = sourceOf(game, players, players, 1);
+    source.localSlot = local;
+    if (game.slots() > 0) source.attempt.observe(game.tick(), game.player(0));
+    return makeScene(source).begun;
+  };
+  EXPECT_TRUE(hasBegun(std::nullopt)) << "nobody is to play";
+  EXPECT_FALSE(hasBegun(0));
+  run(game, 1, 0, 30);
+  EXPECT_FALSE(hasBegun(0));
+  run(game, 1, Input::kRight, 1);
+  EXPECT_TRUE(hasBegun(0));
+}
+
 // Companions are drawn from the predicted game, everybody once, and the local player last.
 TEST(Scene, CompanionsAreWhereThePredictedGameHasThem) {
   Game confirmed(floorLevel());
