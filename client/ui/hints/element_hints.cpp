@@ -13,7 +13,7 @@ namespace {
 
 // Of play: who only looks at the level reads on.
 constexpr std::uint32_t kElementReadTicks = 4 * kTicksPerSecond;  // to read a hint of an element that the ball has met
-constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // after which the next kind has its turn
+constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // of a kind that the ball has not met
 constexpr double kNearElement = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
 
 // What a kind does.
@@ -97,13 +97,14 @@ void ElementHints::observe(const PlayerState& player, const EntityState& ball, s
                            bool shown, UntoldElements& untold) {
   const ElementKindMask open = kindsOf(elements) & untold.mask;
   met_ &= open;
-  if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) tell(nextOf(open));
-  if (kind_ == kNone || player.startedAt == 0 || player.arrived != 0) return;
+  if (kind_ != kNone && ticks_ >= kTurnTicks) told_ |= bit(kind_);
+  if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) tell(nextOf(open & ~told_));
+  if (player.startedAt == 0 || player.arrived != 0) return;
   for (const Element& element : elements) {
     if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind)) & open;
   }
   if (!isDue() && met_ != 0) tell(nextOf(met_));
-  if (!shown || ++ticks_ < kElementReadTicks || !isDue()) return;
+  if (kind_ == kNone || !shown || ++ticks_ < kElementReadTicks || !isDue()) return;
   untold.mask &= ~bit(kind_);
   met_ &= ~bit(kind_);
 }

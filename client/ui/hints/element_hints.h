@@ -27,8 +27,8 @@ std::string textOf(UntoldElements untold);
 /// Reads what textOf writes. Another text changes nothing and returns false.
 bool parse(std::string_view text, UntoldElements& untold);
 
-/// Tells a new player what the elements of a level do, one kind at a time: the one that the ball meets, else all in
-/// turns until the ball has met one of each.
+/// Tells a new player what the elements of a level do, one kind at a time: the one that the ball meets, else each that
+/// it has not met, once for a while.
 class ElementHints {
  public:
   /// Notes a tick of the player in a level with these elements. `shown`: the hint was on the screen. A kind that the
@@ -46,6 +46,7 @@ class ElementHints {
   std::uint8_t nextOf(ElementKindMask open) const;
 
   std::uint8_t kind_ = kNone;  // index into kElementKinds
+  ElementKindMask told_ = 0;   // these have had their turn before the ball has met one
   ElementKindMask met_ = 0;    // the ball has been near an element of these
   std::uint32_t ticks_ = 0;    // for which the hint has been on the screen while the ball was played
 

@@ -61,27 +61,30 @@ TEST(ElementHints, EachKindIsToldOneAfterAnother) {
   EXPECT_EQ(textOf(untold), "up,hazard,checkpoint,door,plate,timed");
 }
 
-TEST(ElementHints, AKindIsToldUntilTheBallHasMetOne) {
+TEST(ElementHints, AKindIsOpenUntilTheBallHasMetOne) {
   const std::vector<Element> elements = elementsOf({ElementKind::kKey});
   ElementHints hints;
   UntoldElements untold;
-  play(hints, elements, untold, 10 * kTurnTicks, ballOn(1));
+  play(hints, elements, untold, kTurnTicks, ballOn(1));
   EXPECT_EQ(hints.hint(), kKey);
   play(hints, elements, untold, kTurnTicks, ballOn(0, 2 * kPlayerRadius));
-  EXPECT_EQ(hints.hint(), kKey) << "passed at a distance";
+  EXPECT_EQ(hints.hint(), "") << "told once, and passed at a distance";
   hints.observe(PlayerState(), ballOn(1), elements, true, untold);  // a restart
-  EXPECT_EQ(hints.hint(), kKey);
+  EXPECT_EQ(hints.hint(), "");
+  EXPECT_EQ(untold, UntoldElements());
   play(hints, elements, untold, 1, ballOn(0, 2 * kPlayerRadius - 1));
+  EXPECT_EQ(hints.hint(), kKey) << "again, at the deed";
+  EXPECT_TRUE(hints.isDue());
   play(hints, elements, untold, kReadTicks, ballOn(1));
   EXPECT_EQ(hints.hint(), "");
   EXPECT_EQ(textOf(untold), "oneway,up,hazard,checkpoint,door,plate,timed");
 }
 
-TEST(ElementHints, KindsThatTheBallHasNotMetTakeTurns) {
+TEST(ElementHints, KindsThatTheBallHasNotMetAreToldOnceEach) {
   const std::vector<Element> elements = elementsOf({ElementKind::kKey, ElementKind::kOneway});
   ElementHints hints;
   UntoldElements untold;
-  for (const char* text : {kOneway, kKey, kOneway}) {
+  for (const char* text : {kOneway, kKey, "", ""}) {
     play(hints, elements, untold, kTurnTicks, ballOn(3));
     EXPECT_EQ(hints.hint(), text);
   }
