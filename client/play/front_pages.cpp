@@ -15,7 +15,6 @@
 #include "client/replay/replay.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
-#include "protocol/label.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
 
@@ -257,11 +256,10 @@ MenuPage FrontPages::titlePage() {
   return page;
 }
 
-// A name that is no label changes nothing.
 MenuItem FrontPages::nameItem() {
   if (!givenName_.empty()) return {.name = "Your name", .value = givenName_, .choose = [] {}};
-  if (isLabel(name_.text(), kMaxNameBytes)) settings_->name = visibleLabel(name_.text());
-  MenuItem item{MenuItem::Kind::kText, "Your name"};
+  takeName(name_.text(), settings_->name);
+  MenuItem item{MenuItem::Kind::kText, "Your name", "type it here"};
   item.field = &name_;
   return item;
 }

@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "protocol/label.h"
 #include "protocol/limits.h"
 
 namespace platon {
@@ -81,7 +80,7 @@ constexpr SettingWords noneOrOneOf(std::span<const SettingWord> words) {
 
 constexpr const char* kNameForm = "a text of at most 32 bytes without control characters";
 static_assert(kMaxNameBytes == 32, "the form of a name says so");
-bool isName(std::string_view text) { return !text.empty() && isLabel(text, kMaxNameBytes); }
+bool isName(std::string_view text) { return !text.empty() && isPlayerName(text); }
 
 constexpr SettingNumber volume(SettingMember<double> member) { return {member, 0, 100, 5, 1}; }
 

@@ -10,6 +10,8 @@
 
 #include "client/ui/controls/bindings.h"
 #include "client/ui/setting_table.h"
+#include "protocol/label.h"
+#include "protocol/limits.h"
 
 namespace platon {
 namespace {
@@ -68,6 +70,14 @@ void parseLine(const std::string& line, const std::string& where, SettingsResult
 bool isListUrl(std::string_view text) {
   const std::size_t scheme = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : text.size();
   return text.size() > scheme && text.size() <= kMaxListUrlBytes && isReadable(text);
+}
+
+bool isPlayerName(std::string_view text) { return text != "none" && isLabel(text, kMaxNameBytes); }
+
+void takeName(std::string_view typed, std::string& name) {
+  if (!isLabel(typed, kMaxNameBytes)) return;
+  const std::string visible = visibleLabel(typed);
+  if (isPlayerName(visible)) name = visible;
 }
 
 std::string Settings::text() const {

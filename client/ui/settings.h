@@ -16,6 +16,11 @@ namespace platon {
 
 /// Whether a text is a list of servers on a web server: kListUrlForm.
 bool isListUrl(std::string_view text);
+/// Whether a player may have this name: a label of at most kMaxNameBytes, but not `none`, the word for no name of the
+/// settings file.
+bool isPlayerName(std::string_view text);
+/// What others see of what a player types becomes its name; nothing takes the name away. Another text changes nothing.
+void takeName(std::string_view typed, std::string& name);
 inline constexpr const char* kListUrlForm =
     "a URL that begins with https:// or http://, of at most 512 bytes and without spaces";
 inline constexpr std::size_t kMaxListUrlBytes = 512;

@@ -9,7 +9,6 @@
 
 #include "client/quality/quality.h"
 #include "client/ui/controls/key_names.h"
-#include "protocol/label.h"
 #include "protocol/limits.h"
 
 namespace platon {
@@ -281,14 +280,13 @@ MenuPage controlsPage(Bindings& bindings, ControlsForm& form, KeySet set) {
   return page;
 }
 
-// A name that is no label changes nothing.
 MenuPage companionsPage(Settings& settings, CompanionsForm& form) {
   MenuPage page{"Others on this machine",
                 {"In the game, F2 lets another player join at this keyboard, and RT one with a gamepad."}};
   for (std::size_t local = 1; local < kMaxLocalPlayers; ++local) {
     TextField& field = form.names[local];
-    if (isLabel(field.text(), kMaxNameBytes)) settings.companion(local).name = visibleLabel(field.text());
-    page.items.push_back({MenuItem::Kind::kText, "Name of player " + std::to_string(local + 1)});
+    takeName(field.text(), settings.companion(local).name);
+    page.items.push_back({MenuItem::Kind::kText, "Name of player " + std::to_string(local + 1), "type it here"});
     page.items.back().field = &field;
     for (const Setting& setting : settingTable()) {
       const bool isOfPlayer =

@@ -104,6 +104,25 @@ TEST(Settings, ANameMayHaveSpacesAndLettersOfAllScripts) {
   }
 }
 
+// The name "none" was lost at the next start.
+TEST(Settings, WhatAPlayerTypesIsItsNameUnlessTheFileCouldNotKeepIt) {
+  std::string name = "Ann";
+  const auto typed = [&](std::string_view text) {
+    takeName(text, name);
+    Settings settings;
+    settings.name = name;
+    EXPECT_EQ(parseSettings(settings.text()).settings.name, name);
+    return name;
+  };
+  EXPECT_EQ(typed("Ben"), "Ben");
+  for (const std::string& bad :
+       {std::string("none"), std::string(" none "), std::string(33, 'W'), std::string("a\x1b")})
+    EXPECT_EQ(typed(bad), "Ben") << bad;
+  EXPECT_EQ(typed("None"), "None");
+  EXPECT_EQ(typed("  Ann   Lee "), "Ann Lee");
+  EXPECT_EQ(typed(""), "") << "it is taken away";
+}
+
 TEST(Settings, AListOfServersIsAUrlOfTheWebOrNone) {
   const std::string longest = "https://" + std::string(kMaxListUrlBytes - 8, 'x');
   for (const std::string& url : {std::string("http://x"), std::string("https://[::1]:8000/a?b=c#d"), longest}) {
