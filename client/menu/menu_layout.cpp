@@ -129,7 +129,7 @@ void layOutField(MenuRow& row, const MenuItem& item, const Font& font) {
     before.erase(0, length);
     text.erase(0, length);
   }
-  row.value.text = fittedText(text, font, room);
+  row.value.text = fittedText(item.field->text().empty() ? item.value : text, font, room);
   row.caret = row.value.box.low.x + font.width(before) * kNameSize;
 }
 
@@ -212,6 +212,7 @@ constexpr glm::vec4 kSheet{0.07F, 0.08F, 0.13F, 0.94F};
 constexpr glm::vec4 kRowColour{0.10F, 0.12F, 0.20F, 0.55F};
 constexpr glm::vec4 kLoneRow{0.07F, 0.09F, 0.16F, 0.80F};  // without a sheet behind it
 constexpr glm::vec4 kTrack{0.42F, 0.47F, 0.60F, 1.0F};
+constexpr glm::vec4 kPlaceholder{0.62F, 0.67F, 0.80F, 0.85F};  // of a field without text
 constexpr glm::vec4 kField{0.02F, 0.03F, 0.06F, 0.95F};
 constexpr float kFocusBar = 4;
 
@@ -289,7 +290,7 @@ class Painter {
         right(row.value, colour);
         return paintTrack(row.control, static_cast<float>(item.part));
       case MenuItem::Kind::kText:
-        return paintField(row, focused);
+        return paintField(row, focused, item.field->text().empty() ? kPlaceholder : kBright);
       default:
         return right(row.value, focused ? colour : item.valueColour.value_or(colour));
     }
@@ -319,9 +320,9 @@ class Painter {
     box({{knob - 8, middle - 8}, {knob + 8, middle + 8}}, 8, kBright);
   }
 
-  void paintField(const MenuRow& row, bool focused) {
+  void paintField(const MenuRow& row, bool focused, glm::vec4 colour) {
     box(row.control, 6, kField);
-    left(row.value, kBright);
+    left(row.value, colour);
     if (!focused) return;
     const float middle = (row.control.low.y + row.control.high.y) / 2;
     box({{row.caret, middle - 10}, {row.caret + 2, middle + 10}}, 0, kGold);

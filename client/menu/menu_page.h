@@ -18,7 +18,7 @@ struct MenuItem {
 
   Kind kind = Kind::kAction;
   std::string name;
-  std::string value{};              ///< shown at the right; of a kToggle also in its form
+  std::string value{};              ///< shown at the right; of a kToggle also in its form, of a kText while it is empty
   double part = 0;                  ///< of a kSlider: 0 … 1 of its range; of a kToggle: 1 is on
   std::function<void()> choose{};   ///< of a kAction
   std::function<void(int)> step{};  ///< of a kChoice, kSlider or kToggle: to the next value (1) or the one before (-1)

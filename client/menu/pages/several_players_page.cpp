@@ -35,13 +35,7 @@ MenuItem playersItem(HostForm& form) {
   return item;
 }
 
-MenuItem fieldItem(const char* name, TextField& field) {
-  MenuItem item{MenuItem::Kind::kText, name};
-  item.field = &field;
-  return item;
-}
-
-MenuItem fieldItem(const char* name, TextField& field, bool secret) {
+MenuItem fieldItem(const char* name, TextField& field, bool secret = false) {
   MenuItem item{MenuItem::Kind::kText, name};
   item.field = &field;
   item.secret = secret;
@@ -96,10 +90,10 @@ MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
   page.warning = !form.fault.empty();
   page.notes.push_back(form.fault.empty() ? "Enter the address of the server: HOST or HOST:PORT." : form.fault);
   if (!form.listFault.empty()) page.notes.push_back(form.listFault);
-  page.items.push_back(fieldItem("Address", form.address, false));
+  page.items.push_back(fieldItem("Address", form.address));
   if (form.asksPassword) page.items.push_back(fieldItem("Password", form.password, true));
   page.items.push_back({.name = "Join", .choose = join});
-  if (form.asksList) page.items.push_back(fieldItem("List of servers", form.listUrl, false));
+  if (form.asksList) page.items.push_back(fieldItem("List of servers", form.listUrl));
   if (!form.recent.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Joined before"});
   for (const std::string& address : form.recent) page.items.push_back(serverItem(address, "", address, form, join));
   // Last, so that a server that appears moves no item from under the focus.

@@ -295,6 +295,18 @@ TEST(MenuLayout, AFieldShowsWhatIsBeforeTheCaret) {
   EXPECT_EQ(layOut(page, font(), {1280, 720}, {0, 6}).rows.back().value.text.find('W'), std::string::npos);
 }
 
+TEST(MenuLayout, AnEmptyFieldSaysWhatItIsForUntilSomethingIsTyped) {
+  TextField field(200);
+  MenuPage page{"Title"};
+  page.items = {{MenuItem::Kind::kText, "Your name", "type it here"}};
+  page.items.back().field = &field;
+  const auto row = [&] { return layOut(page, font(), {1280, 720}, {0, 0}).rows.back(); };
+  EXPECT_EQ(row().value.text, "type it here");
+  EXPECT_EQ(row().caret, row().value.box.low.x) << "one types from the left";
+  field.insert("A");
+  EXPECT_EQ(row().value.text, "A");
+}
+
 class MenuPainter : public testing::Test {
  protected:
   MenuPainter() {
