@@ -7,8 +7,8 @@ usage: step.py start FOLDER CLIENT [OPTION…]   starts the game as a new player
 
 FOLDER holds all that the game keeps: settings, reached levels, best times. An existing one goes on with them. The
 commands are those of `platon-client --offscreen --step`, such as 'tap enter', 'press d', 'wait 0.5', 'shot 1.png'. The
-time of the game passes only in `tap`, `wait` and `type`. Pictures go to the present folder; they are 960 pixels wide
-unless --width says something else. A game that gets no command for two hours ends.
+time of the game passes only in `tap`, `click`, `wait` and `type`. Pictures go to the present folder; they are 960
+pixels wide unless --width says something else. A game that gets no command for two hours ends.
 """
 
 import os

@@ -229,7 +229,7 @@ void StepPlay::shoot(Words& words) {
 
 void StepPlay::quit(Words& words) {
   words.end();
-  screens_.handle(CloseAsked());
+  screens_.close();
 }
 
 void StepPlay::pass(double seconds) {

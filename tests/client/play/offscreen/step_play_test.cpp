@@ -91,6 +91,7 @@ TEST(StepPlay, TimePassesOnlyInCommandsThatTakeTime) {
   EXPECT_EQ(play.obey("tap shift"), "ok 1.12");
   EXPECT_EQ(play.obey("tap shift 0.5"), "ok 1.62");
   EXPECT_EQ(play.obey("type abc"), "ok 1.67");
+  EXPECT_EQ(play.obey("click 3 4"), "ok 1.68");
 }
 
 TEST(StepPlay, AWrongCommandIsAnsweredBySayingWhatIsRightAndDoesNothing) {
@@ -134,6 +135,26 @@ TEST(StepPlay, AKeyThatIsHeldRepeatsInAMenu) {
       << "after half a second it repeats 30 times a second";
 }
 
+void tapAll(StepPlay& play, std::initializer_list<const char*> keys) {
+  for (const char* const key : keys) play.obey(std::string("tap ") + key);
+}
+
+// From the title to a new level of this name in the editor.
+void openRoom(StepPlay& play) {
+  tapAll(play, {"arrow-up", "arrow-up", "arrow-up", "arrow-up", "enter"});
+  play.obey("type room");
+  tapAll(play, {"arrow-down", "arrow-down", "enter"});
+  play.obey("wait 0.2");
+}
+
+TEST(StepPlay, QuitEndsAlsoTheEditorWhichAsksNobody) {
+  const NewPlayer player;
+  StepPlay play(optionsOf());
+  openRoom(play);
+  play.obey("quit");
+  EXPECT_FALSE(play.isOpen());
+}
+
 TEST(StepPlay, FromTheTitleIntoTheEditorAndBack) {
   const NewPlayer player;
   StepPlay play(optionsOf());
@@ -141,15 +162,10 @@ TEST(StepPlay, FromTheTitleIntoTheEditorAndBack) {
     EXPECT_EQ(play.obey("shot " + player.file("picture.png")).substr(0, 3), "ok ");
     return readText(player.file("picture.png"));
   };
-  const auto tap = [&play](std::initializer_list<const char*> keys) {
-    for (const char* const key : keys) play.obey(std::string("tap ") + key);
-  };
-  tap({"arrow-up", "arrow-up", "arrow-up", "arrow-up", "enter"});
-  play.obey("type room");
-  const std::string page = picture();
-  tap({"arrow-down", "arrow-down", "enter"});
-  play.obey("wait 0.2");
-  EXPECT_TRUE(picture() != page);
+  const auto tap = [&play](std::initializer_list<const char*> keys) { tapAll(play, keys); };
+  const std::string title = picture();
+  openRoom(play);
+  EXPECT_TRUE(picture() != title);
   play.obey("press ctrl");
   tap({"s"});
   play.obey("release ctrl");
