@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <span>
 #include <string>
@@ -39,8 +40,17 @@ constexpr float kHelpGap = 18;
 
 using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning
 
+// The keys of who shares the keyboard with the first player; with a gamepad one has the buttons of the table.
+std::string keysBeside(std::span<const KeyHints> companions) {
+  const auto keys = std::find_if_not(companions.begin(), companions.end(), std::mem_fn(&KeyHints::gamepad));
+  if (keys == companions.end()) return {};
+  std::string text = keys->of(Control::kLeft) + " " + keys->of(Control::kRight);
+  for (const Control control : {Control::kUp, Control::kDown, Control::kRestart}) text += " " + keys->of(control);
+  return text;
+}
+
 // `brief`: one key or button of each control.
-std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
+std::vector<Row> rowsOf(const KeyHints& hints, std::span<const KeyHints> companions, bool brief) {
   const auto keys = [&](Control control) { return brief ? hints.of(control) : hints.keys(control); };
   const auto pad = [brief](const std::string& button) { return brief ? std::string() : button; };
   const auto row = [&](Control control, const char* meaning) {
@@ -50,22 +60,25 @@ std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
   for (const Control control : {Control::kEmote1, Control::kEmote2, Control::kEmote3, Control::kEmote4})
     emotes += (emotes.empty() ? "" : " ") + hints.of(control);
   const std::string run = brief ? hints.of(Control::kLeft) + " " + hints.of(Control::kRight) : hints.run();
-  return {{run, pad("stick: 3 speeds"), "run"},
-          row(Control::kSlow, "run slower"),
-          row(Control::kJump, "jump; hold to jump higher"),
-          row(Control::kUp, "jump, or move up the screen"),
-          row(Control::kDown, "fall faster"),
-          {keys(Control::kLook) + " and arrows", pad("right stick"), "look round the solid"},
-          row(Control::kRestart, "back to the start"),
-          row(Control::kVote, "next level, or a vote for it"),
-          row(Control::kWatch, "after the goal: watch others"),
-          row(Control::kSay, "talk to all players"),
-          {"F2", pad("RT"), "another player joins, or leaves"},
-          {emotes, "", "wave, laugh, here!, thanks"},
-          {"F1", "", "help"},
-          {"F3", "", "connection graph"},
-          {"F11", "", "full screen"},
-          {"Esc", pad("Start"), "pause, settings, leave"}};
+  std::vector<Row> rows{{run, pad("stick: 3 speeds"), "run"},
+                        row(Control::kSlow, "run slower"),
+                        row(Control::kJump, "jump; hold to jump higher"),
+                        row(Control::kUp, "jump, or move up the screen"),
+                        row(Control::kDown, "fall faster"),
+                        {keys(Control::kLook) + " and " + hints.lookWays(), pad("right stick"), "look round the solid"},
+                        row(Control::kRestart, "back to the start"),
+                        row(Control::kVote, "next level, or a vote for it"),
+                        row(Control::kWatch, "after the goal: watch others"),
+                        row(Control::kSay, "talk to all players"),
+                        {"F2", pad(hints.joinPad()), "another player joins, or leaves"},
+                        {emotes, "", "wave, laugh, here!, thanks"},
+                        {"F1", "", "help"},
+                        {"F3", "", "connection graph"},
+                        {"F11", "", "full screen"},
+                        {"Esc", pad("Start"), "pause, settings, leave"}};
+  const std::string beside = keysBeside(companions);
+  if (!beside.empty()) rows.push_back({beside, "", "run, jump, fall, start: the other player"});
+  return rows;
 }
 
 constexpr std::size_t kMaxRows = 12;
@@ -131,8 +144,10 @@ void addPlayers(OverlayWriter& writer, const std::vector<const PlayerDrawing*>& 
                  kSmallestText, kSoft);
 }
 
-// As many rows as there is room for.
-void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, const Font& font) {
+// As many rows as there is room for. Players who have all a pane of their own, with their names in it, need no list,
+// which would cover one.
+void placePlayers(HudSpace& space, std::span<const HudPane> panes, const HudStatus& status, const Font& font) {
+  const Scene& scene = *panes.front().scene;
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
   const float width = space.screen().x;
   if (status.summary && !status.summary->waits) {
@@ -144,7 +159,7 @@ void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, 
     }
     return;
   }
-  if (players.size() < 2) return;
+  if (players.size() <= panes.size()) return;
   for (std::size_t rows = std::min(players.size(), kMaxRows); rows > 0; --rows) {
     const auto draw = [&](OverlayWriter& writer) {
       addPlayers(writer, players, rows, font, width, roundTripWidth(scene));
@@ -264,6 +279,15 @@ void placeOwner(HudSpace& space, const HudPane& pane, const Font& font) {
   }
 }
 
+// At the lower edge of the pane of a companion; the first player reads it among the texts.
+void placeRestart(HudSpace& space, const HudPane& pane, const KeyHints& keys, const Font& font) {
+  if (!pane.scene->needsRestart) return;
+  const glm::vec2 middle(pane.corner.x + pane.size.x / 2, pane.corner.y + pane.size.y - 40);
+  space.add(drawn(font, [&](OverlayWriter& writer) {
+    writer.pill(keys.to(Control::kRestart, "back to the start"), middle, kTextSize, kBright);
+  }));
+}
+
 // At the left below the title. The results tell the times of a round that has ended.
 void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status) {
   constexpr float kFirstRow = 90;
@@ -329,8 +353,9 @@ void placeChat(HudSpace& space, const std::vector<std::string>& chat, const Font
 }
 
 // At the lower left. Returns whether there was room.
-bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font, bool brief = false) {
-  const Overlay help = drawn(font, [&](OverlayWriter& writer) { addHelp(writer, keys, brief); });
+bool placeHelp(HudSpace& space, const HudStatus& status, const Font& font, bool brief = false) {
+  const auto draw = [&](OverlayWriter& writer) { addHelp(writer, status.keys, status.companionKeys, brief); };
+  const Overlay help = drawn(font, draw);
   const HudBox box = boundsOf(help, font);
   const glm::vec2 place(kMargin, space.startOfFoot() - kGap - (box.high.y - box.low.y));
   return space.add(movedBy(help, place - box.low));
@@ -339,7 +364,7 @@ bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font, bool bri
 // The help instead of what it has no room beside, as long as the player asks for it.
 HudSpace helpAlone(const HudStatus& status, const Font& font, float width) {
   HudSpace space = spaceFor(status, font, width);
-  if (!placeHelp(space, status.keys, font)) placeHelp(space, status.keys, font, true);
+  if (!placeHelp(space, status, font)) placeHelp(space, status, font, true);
   return space;
 }
 
@@ -377,17 +402,17 @@ void placeOwnResult(HudSpace& space, const Scene& scene, const HudStatus& status
 // `width`: of the part of the screen at the left to which what the player may do belongs.
 void placeTexts(HudSpace& space, const HudStatus& status, const std::string& action, const Font& font, float width) {
   glm::vec2 middle(space.screen().x / 2, space.startOfFoot() - 40);
-  const auto add = [&](const std::string& text, glm::vec4 colour) {
-    const std::vector<std::string> lines = linesOf(text, font, space.screen().x, kTextSize);
+  const auto add = [&](const std::string& text, glm::vec4 colour, float room) {
+    const std::vector<std::string> lines = linesOf(text, font, room, kTextSize);
     if (lines.empty()) return;
     float top = 0;
     const auto draw = [&](OverlayWriter& writer) { top = writer.pill(lines, middle, kTextSize, colour); };
     if (space.add(drawn(font, draw))) middle.y = top - 1.4F * kTextSize;
   };
-  add(status.message, status.warning ? kWarning : kBright);
-  add(status.notice, kGold);
+  add(status.message, status.warning ? kWarning : kBright, space.screen().x);
+  add(status.notice, kGold, space.screen().x);
   middle.x = width / 2;
-  add(action, kBright);
+  add(action, kBright, width);
 }
 
 }  // namespace
@@ -406,8 +431,8 @@ std::optional<EdgeSign> edgeSignOf(glm::dvec4 clip, glm::vec2 screen, glm::vec2 
   return EdgeSign{glm::vec2(direction), place, arrowOf(direction)};
 }
 
-void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief) {
-  const std::vector<Row> rows = rowsOf(keys, brief);
+void addHelp(OverlayWriter& writer, const KeyHints& keys, std::span<const KeyHints> companions, bool brief) {
+  const std::vector<Row> rows = rowsOf(keys, companions, brief);
   std::array<float, 3> widths{};
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -447,7 +472,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
     const float below = 1.3F * kTextSize * static_cast<float>(lines.size() - 1);
     writer.pill(lines, {screen.x / 2, screen.y * 0.44F + 54 + below}, kTextSize, status.warning ? kWarning : kBright);
   }));
-  if (status.help) placeHelp(space, status.keys, font);
+  if (status.help) placeHelp(space, status, font);
   return scaledBy(space.overlay(), status.scale);
 }
 
@@ -473,11 +498,13 @@ Overlay hudOf(std::span<const HudPane> panes, const HudStatus& status, const Fon
     const float top = space.endOfColumn(false) + kGap;
     space.add(drawn(font, [&](OverlayWriter& writer) { addVote(writer, *status.vote, status.keys, top); }));
   }
-  if (status.help && !placeHelp(space, status.keys, font)) space = helpAlone(status, font, width);
+  if (status.help && !placeHelp(space, status, font)) space = helpAlone(status, font, width);
   if (status.netGraph != nullptr) placeGraph(space, *status.netGraph, font);
-  placePlayers(space, scene, status, font);
+  placePlayers(space, panes, status, font);
   placeChat(space, status.chat, font);
   if (status.assembling) return scaledBy(space.overlay(), status.scale);
+  for (std::size_t i = 1; i < std::min(panes.size(), status.companionKeys.size() + 1); ++i)
+    placeRestart(space, panes[i], status.companionKeys[i - 1], font);
   for (const HudPane& pane : panes) {
     if (panes.size() > 1) placeOwner(space, pane, font);
     placeSigns(space, pane, font);

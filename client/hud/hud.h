@@ -41,6 +41,7 @@ struct HudStatus {
   bool timer = true;                      ///< show the own time and `run`
   std::vector<std::string> chat{};        ///< what players have said lately, oldest first
   KeyHints keys{};                        ///< the keys that texts name
+  std::vector<KeyHints> companionKeys{};  ///< those of the other local players who see the game, in their order
   std::string hint{};                     ///< what the player may do next; empty: nothing
   float scale = 1;                        ///< of the display, as Settings::uiScale
   float foot = 0;                         ///< height at the lower edge that is taken, of the virtual screen at scale 1
@@ -72,7 +73,8 @@ struct HudPane {
 /// shortened or left out.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 /// The same for several local players, of whom the first pane has the first one: each pane has its own name tags and
-/// signs, and its player's name. `width`: of the virtual screen at scale 1.
+/// signs, its player's name, and says when its player must go back to the start. `width`: of the virtual screen at
+/// scale 1.
 Overlay makeSharedHud(std::span<const HudPane> panes, const HudStatus& status, const Font& font, float width);
 
 /// Where the border of the screen shows that something lies beyond it.
@@ -86,8 +88,8 @@ struct EdgeSign {
 /// rectangle on which signs stand, at most half of `screen`.
 std::optional<EdgeSign> edgeSignOf(glm::dvec4 clip, glm::vec2 screen, glm::vec2 reach);
 
-/// Adds the table of keys, buttons and their meaning at the lower left. `brief`: with one key or button of each
-/// control.
-void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief);
+/// Adds the table of keys, buttons and their meaning at the lower left. `companions`: HudStatus::companionKeys.
+/// `brief`: with one key or button of each control.
+void addHelp(OverlayWriter& writer, const KeyHints& keys, std::span<const KeyHints> companions, bool brief);
 
 }  // namespace platon

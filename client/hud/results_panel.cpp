@@ -71,9 +71,7 @@ void addResult(OverlayWriter& writer, const PlayerDrawing& player, std::optional
 
 }  // namespace
 
-bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
-  return summary.waits && scene.attempt && scene.attempt->arrived;
-}
+bool showsOwnResult(const Scene& scene, const RoundSummary& summary) { return summary.waits && arrivalTicksOf(scene); }
 
 OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optional<MedalTimes>& medals) {
   OwnResult result;

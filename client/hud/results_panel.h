@@ -22,7 +22,7 @@ struct RoundSummary {
   bool waits = false;                   ///< the next round starts when the player asks for it
 };
 
-/// Whether the local player is at the goal of a round that waits for it.
+/// Whether the local player, or its team, is at the goal of a round that waits for it.
 bool showsOwnResult(const Scene& scene, const RoundSummary& summary);
 /// What this player has reached, each a line; empty lines are left out.
 struct OwnResult {
@@ -32,7 +32,7 @@ struct OwnResult {
   std::string time;
   std::string medal;  ///< its name, and what is next
 };
-/// `medals`: of the level; nothing: it has none. `scene` has an attempt that has arrived.
+/// `medals`: of the level; nothing: it has none. `scene` has a time of arrival (arrivalTicksOf).
 OwnResult ownResultOf(const Scene& scene, const RunStatus& run, const std::optional<MedalTimes>& medals);
 /// Adds it on a panel whose upper edge has this middle.
 void addOwnResult(OverlayWriter& writer, const OwnResult& result, glm::vec2 top);

@@ -159,8 +159,8 @@ void MatchScreen::advance(bool away) {
 }
 
 Input MatchScreen::choose(const Game& game, std::uint32_t slot, bool away) {
-  if (desk_->options.demo) return demo_.choose(game, slot);
   const SlotsByLocal slots = match_.slots();
+  if (desk_->options.demo) return slot == slots[0] ? demo_.choose(game, slot) : Input{Input::kPresent};
   const auto local = static_cast<std::uint32_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
   HeldKeys held = desk_->interface.takeHeld(away, local);
   if (local == 0) againTogether_ = held.restart && match_.alone() && match_.roundOver();
@@ -200,7 +200,7 @@ void MatchScreen::draw(const Frame& frame) {
   if (scene != nullptr) view.netGraph().add(meter_.sample(match_.client(), frame.now));
   if (seen.size() == 1) spectator_.direct(*scene, desk_->interface.keyHints());
   if (seen.size() > 1) spectator_.reset();
-  const HudStatus status = hudStatus(scene);
+  const HudStatus status = hudStatus(seen);
   view.setFlights(!inMenu);
   const LookInput look = inMenu ? LookInput() : mouseLook_.take(desk_->interface.look());
   looks_ = look.held && (look.direction != glm::dvec2(0) || look.turn != glm::dvec2(0));
@@ -213,7 +213,8 @@ void MatchScreen::draw(const Frame& frame) {
       view.draw(scene, status, settings, menu, frame.seconds);
     desk_->present();  // a part of the time that the trial measures
   };
-  scene != nullptr ? desk_->trial.draw(settings.quality, desk_->clock.now, finishDrawing, draw) : draw();
+  const bool measures = scene != nullptr && desk_->window.onScreen();
+  measures ? desk_->trial.draw(settings.quality, desk_->clock.now, finishDrawing, draw) : draw();
   playSounds(scene, status, frame.seconds);
 }
 
@@ -225,11 +226,16 @@ std::vector<Scene> MatchScreen::scenes() {
   return all;
 }
 
-HudStatus MatchScreen::hudStatus(const Scene* scene) {
+// A race between players of this machine gives no medals: its times are not kept.
+HudStatus MatchScreen::hudStatus(std::span<const Scene> seen) {
   HudStatus status = match_.hudStatus(desk_->settings(), desk_->interface.helpShown());
   status.keys = desk_->interface.keyHints();
   status.hint = hint(status.summary.has_value());
-  if (scene != nullptr && match_.leastSpeed() == 1) status.medals = medals(*scene);
+  const bool counts = seen.size() == 1 || (!seen.empty() && seen.front().isTeam);
+  if (counts && match_.leastSpeed() == 1) status.medals = medals(seen.front());
+  const SlotsByLocal slots = match_.slots();
+  for (std::uint32_t local = 1; local < kMaxLocalPlayers; ++local)
+    if (slots[local]) status.companionKeys.push_back(desk_->interface.companionKeyHints(local));
   status.underMenu = desk_->menu.isOpen() && !desk_->menu.standsAside();
   return status;
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class MatchScreen : public Screen {
   Input choose(const Game& game, std::uint32_t slot, bool away);
   void checkEnding();
   std::vector<Scene> scenes();
-  HudStatus hudStatus(const Scene* scene);
+  HudStatus hudStatus(std::span<const Scene> seen);
   std::string hint(bool roundOver) const;
   std::optional<MedalTimes> medals(const Scene& scene);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);

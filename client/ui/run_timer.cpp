@@ -38,7 +38,7 @@ std::string differenceText(double seconds) {
 std::string slowedText(double speed) { return "at " + std::to_string(std::lround(speed * 100)) + " % speed, not kept"; }
 
 std::optional<std::uint32_t> arrivalTicksOf(const Scene& scene) {
-  if (!scene.attempt || !scene.attempt->arrived) return std::nullopt;
+  if (!scene.attempt || !(scene.attempt->arrived || scene.teamSeconds)) return std::nullopt;
   return static_cast<std::uint32_t>(std::lround(scene.teamSeconds.value_or(scene.attempt->seconds) * kTicksPerSecond));
 }
 

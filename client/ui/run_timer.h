@@ -25,7 +25,7 @@ std::string differenceText(double seconds);
 /// What is told of a time that was reached at less than full speed: `at 50 % speed, not kept`.
 std::string slowedText(double speed);
 
-/// The time of the local player's attempt in ticks once it has reached the goal; nothing before.
+/// The time of the local player's attempt, or of its team, in ticks once it has reached the goal; nothing before.
 std::optional<std::uint32_t> arrivalTicksOf(const Scene& scene);
 
 /// What this time is worth; empty before the goal, and on a level without medals.

@@ -1,5 +1,7 @@
 #include "client/ui/user_interface.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace platon {
@@ -9,6 +11,7 @@ std::optional<Action> UserInterface::handle(const KeyEvent& event, bool menuOpen
   if (event.kind == KeyEvent::Kind::kPress && local == 0)
     padUsed_ = isOfGamepad(event.key) ? std::optional(event.pad) : std::nullopt;
   devices_.observe(event);
+  observe(event);
   configure();
   const std::optional<Action> action = mappers_[local].handle(event, menuOpen);
   if (action == Action::kToggleHelp) helpShown_ = !helpShown_;
@@ -18,11 +21,22 @@ std::optional<Action> UserInterface::handle(const KeyEvent& event, bool menuOpen
   return action;
 }
 
-// A device that changes hands holds no key.
+void UserInterface::observe(const KeyEvent& event) {
+  if (event.kind == KeyEvent::Kind::kRepeat || event.kind == KeyEvent::Kind::kCharacter) return;
+  std::erase_if(down_, [&](const KeyEvent& down) { return down.key == event.key && down.pad == event.pad; });
+  if (event.kind == KeyEvent::Kind::kPress) down_.push_back(event);
+}
+
+// The keys that change hands are let go; players whose keys stay theirs roll on.
 void UserInterface::join(const KeyEvent& event) {
+  const std::vector<KeyEvent> down = down_;
+  const auto ownerOf = [this](const KeyEvent& key) { return devices_.ownerOf(key, settings_.secondKeys); };
+  std::vector<std::uint32_t> owners;
+  std::transform(down.begin(), down.end(), std::back_inserter(owners), ownerOf);
   deviceChange_ = devices_.toggle(event);
+  for (std::size_t i = 0; i < down.size(); ++i)
+    if (ownerOf(down[i]) != owners[i]) mappers_[owners[i]].handle({down[i].key, KeyEvent::Kind::kRelease}, false);
   if (isOfGamepad(event.key) && padUsed_ == event.pad) padUsed_.reset();
-  for (InputMapper& mapper : mappers_) mapper.release();
 }
 
 void UserInterface::removeCompanion(std::uint32_t local) {
@@ -35,14 +49,19 @@ Bindings UserInterface::ownKeys() const {
 }
 
 // Companions with a gamepad have the buttons of the first player.
-void UserInterface::configure() {
-  mappers_[0].configure(ownKeys(), settings_.toggled);
-  Bindings companion = settings_.secondKeys;
+Bindings UserInterface::companionKeys() const {
+  Bindings keys = settings_.secondKeys;
   for (std::size_t i = 0; i < kControlCount; ++i) {
     const auto control = static_cast<Control>(i);
     const std::optional<Key> pad = settings_.bindings.keysOf(control).pad;
-    if (pad && isOfSet(control, KeySet::kSecond)) companion.bind(control, *pad);
+    if (pad && isOfSet(control, KeySet::kSecond)) keys.bind(control, *pad);
   }
+  return keys;
+}
+
+void UserInterface::configure() {
+  mappers_[0].configure(ownKeys(), settings_.toggled);
+  const Bindings companion = companionKeys();
   for (std::size_t local = 1; local < mappers_.size(); ++local) mappers_[local].configure(companion, {});
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "client/scene/camera_controls.h"
 #include "client/ui/controls/input_mapper.h"
@@ -41,6 +42,10 @@ class UserInterface {
   LookInput look() const { return mappers_[0].look(); }
   /// The keys of the first player to name on the screen.
   KeyHints keyHints() const { return KeyHints(ownKeys(), padUsed_.has_value()); }
+  /// Those of a companion.
+  KeyHints companionKeyHints(std::uint32_t local) const {
+    return KeyHints(companionKeys(), devices_.hasGamepad(local));
+  }
 
   Settings& settings() { return settings_; }
   const Settings& settings() const { return settings_; }
@@ -49,12 +54,15 @@ class UserInterface {
  private:
   void configure();
   Bindings ownKeys() const;
+  Bindings companionKeys() const;
+  void observe(const KeyEvent& event);
   void join(const KeyEvent& event);
 
   Settings settings_;
   LocalDevices devices_;
   DeviceChange deviceChange_ = DeviceChange::kNone;
   std::array<InputMapper, kMaxLocalPlayers> mappers_;  // by local number
+  std::vector<KeyEvent> down_;                         // the presses of keys that are down, of all devices
   bool helpShown_ = false;
   bool restart_ = false;
   std::optional<int> padUsed_;  // the gamepad that the first player has used later than the keyboard

@@ -162,17 +162,24 @@ std::string KeyHints::of(Control control) const {
 std::string KeyHints::to(Control control, const std::string& what) const { return of(control) + ": " + what; }
 
 std::string KeyHints::join() const {
-  const bool byPad = gamepad_ && !bindings_.controlOf(Key::kPadRightTrigger);
-  return std::string(shownNameOf(byPad ? Key::kPadRightTrigger : Key::kF2));
+  const std::string button = joinPad();
+  return gamepad_ && !button.empty() ? button : std::string(shownNameOf(Key::kF2));
+}
+
+std::string KeyHints::joinPad() const {
+  return bindings_.controlOf(Key::kPadRightTrigger) ? "" : std::string(shownNameOf(Key::kPadRightTrigger));
 }
 
 std::string KeyHints::look() const {
   if (gamepad_) return std::string(shownNameOf(Key::kPadLookLeft));
   const std::string key = nameOf(bindings_.keysOf(Control::kLook).first);
-  if (key.empty()) return "right mouse button";
+  return key.empty() ? "right mouse button" : key + " and " + lookWays();
+}
+
+std::string KeyHints::lookWays() const {
   const ControlKeys& left = bindings_.keysOf(Control::kLeft);
   const bool arrows = left.first == Key::kArrowLeft || left.second == Key::kArrowLeft;
-  return key + " and " + (arrows ? "arrows" : run());
+  return arrows ? "arrows" : of(Control::kLeft) + " " + of(Control::kRight);
 }
 
 std::string KeyHints::goOn() const {

@@ -37,8 +37,12 @@ class KeyHints {
 
   /// What lets another player of this machine join: `F2`, or with `RT` on the gamepad unless a control has it.
   std::string join() const;
+  /// The button of the gamepad that does; empty if a control has it.
+  std::string joinPad() const;
   /// What looks round the solid: `Tab and arrows`.
   std::string look() const;
+  /// The keys that say which way: `arrows`, or those that run if another player has them.
+  std::string lookWays() const;
   /// The key that leads to the next level after the goal.
   std::string goOn() const;
   /// The key that pauses and opens the menu.

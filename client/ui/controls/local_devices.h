@@ -35,6 +35,8 @@ class LocalDevices {
   void remove(std::uint32_t local) { devices_[local].reset(); }
   /// Whether a companion plays under a local number.
   bool has(std::uint32_t local) const { return devices_[local].has_value(); }
+  /// Whether the companion under a local number plays with a gamepad.
+  bool hasGamepad(std::uint32_t local) const { return has(local) && devices_[local]->id != kKeyboard; }
   /// Whether somebody has the second half of the keyboard.
   bool sharesKeyboard() const { return find(kKeyboard).has_value(); }
 

@@ -62,9 +62,10 @@ TEST(EdgeSign, TheArrowPointsThere) {
 
 TEST(EdgeSign, APointStraightBehindIsBelow) { EXPECT_STREQ(edgeSignOf({0, 0, 0, -1}, kScreen, kReach)->arrow, "↓"); }
 
-Overlay helpOf(const Bindings& bindings, const Font& font, bool brief = false) {
+Overlay helpOf(const Bindings& bindings, const Font& font, bool brief = false,
+               const std::vector<KeyHints>& companions = {}) {
   OverlayWriter writer(font);
-  addHelp(writer, KeyHints(bindings), brief);
+  addHelp(writer, KeyHints(bindings), companions, brief);
   return writer.take();
 }
 
@@ -79,6 +80,29 @@ TEST(KeyHelp, NamesTheKeysThatThePlayerHasChosen) {
   Bindings bindings;
   bindings.bind(Control::kJump, Key::kJ);
   EXPECT_TRUE(shows(helpOf(bindings, font), "J or Space"));
+}
+
+TEST(KeyHelp, NamesTheTriggerOnlyWhereItLetsAnotherPlayerJoin) {
+  const Font font;
+  EXPECT_TRUE(shows(helpOf({}, font), "RT"));
+  Bindings bindings;
+  bindings.bind(Control::kJump, Key::kPadRightTrigger);
+  const Overlay help = helpOf(bindings, font);
+  EXPECT_EQ(std::count_if(help.texts.begin(), help.texts.end(), [](const auto& text) { return text.content == "RT"; }),
+            1)
+      << "it jumps";
+}
+
+TEST(KeyHelp, NamesTheKeysOfWhoSharesTheKeyboard) {
+  const Font font;
+  const KeyHints keyboard{Bindings(KeySet::kSecond)};
+  const KeyHints pad(Bindings(), true);
+  const auto told = [&](const std::vector<KeyHints>& companions) {
+    return shows(helpOf({}, font, false, companions), "run, jump, fall, start: the other player");
+  };
+  EXPECT_FALSE(told({}));
+  EXPECT_FALSE(told({pad})) << "the table has the buttons already";
+  EXPECT_TRUE(told({pad, keyboard}));
 }
 
 TEST(KeyHelp, IsBriefWhereAllKeysHaveNoRoom) {
@@ -162,6 +186,63 @@ TEST(Hud, WhatPlayersSayIsOneBelowTheOtherAndInsideThePicture) {
     EXPECT_GE(text.place.x, 0);
     EXPECT_LE(text.place.x + font().width(text.content) * text.size, 1280);
   }
+}
+
+// Two players of this machine, side by side. The second one's scene is `second`.
+Overlay dividedHudOf(const Scene& first, const Scene& second, HudStatus status = {}) {
+  status.companionKeys = {KeyHints(Bindings(KeySet::kSecond))};
+  Camera camera;
+  camera.set(first.focus, first.stage->mesh, 640, 720);
+  const std::vector<HudPane> panes{{&first, &camera, {0, 0}, {636, 720}}, {&second, &camera, {644, 0}, {636, 720}}};
+  return makeSharedHud(panes, status, font(), 1280);
+}
+
+// The scene as this player sees it.
+Scene seenBy(Scene scene, std::size_t player) {
+  std::swap(scene.players[player], scene.players.back());
+  scene.players.back().local = true;
+  return scene;
+}
+
+TEST(SharedHud, PlayersWithAPaneOfTheirOwnHaveTheirNamesInItAndNoList) {
+  const Overlay two = dividedHudOf(seenBy(sceneOf(2), 0), seenBy(sceneOf(2), 1));
+  EXPECT_EQ(find(two, "1"), nullptr) << "the number of a row";
+  const auto titleOf = [&](const std::string& name, float middle) {
+    return std::any_of(two.texts.begin(), two.texts.end(), [&](const Overlay::Text& text) {
+      const float centre = text.place.x + font().width(text.content) * text.size / 2;
+      return text.content == name && std::abs(centre - middle) < 1 && text.place.y < 200;
+    });
+  };
+  EXPECT_TRUE(titleOf("Name1", 318));
+  EXPECT_TRUE(titleOf("Name2", 962));
+  EXPECT_NE(find(dividedHudOf(seenBy(sceneOf(3), 0), seenBy(sceneOf(3), 1)), "3"), nullptr) << "another one is listed";
+}
+
+TEST(SharedHud, ALongHintIsWrappedInThePaneOfTheFirstPlayer) {
+  HudStatus status;
+  status.scale = 1.75F;
+  status.hint = "A door opens with the key of its number, or while somebody stands on the plate of its number";
+  const Overlay hud = dividedHudOf(seenBy(sceneOf(2), 0), seenBy(sceneOf(2), 1), status);
+  std::string shown;
+  for (const Overlay::Text& text : hud.texts) {
+    if (status.hint.find(text.content) == std::string::npos) continue;
+    shown += (shown.empty() ? "" : " ") + text.content;
+    EXPECT_GE(text.place.x, 0);
+    EXPECT_LE(text.place.x + font().width(text.content) * text.size, 636);
+  }
+  EXPECT_EQ(shown, status.hint);
+}
+
+TEST(SharedHud, EachPlayerIsToldInItsPaneToGoBackToTheStart) {
+  const Scene first = seenBy(sceneOf(2), 0);
+  const Scene second = seenBy(sceneOf(2), 1);
+  Scene lost = second;
+  lost.needsRestart = true;
+  const std::string text = KeyHints(Bindings(KeySet::kSecond)).to(Control::kRestart, "back to the start");
+  EXPECT_EQ(find(dividedHudOf(first, second), text), nullptr);
+  const Overlay hud = dividedHudOf(first, lost);
+  ASSERT_NE(find(hud, text), nullptr);
+  EXPECT_GT(find(hud, text)->place.x, 644);
 }
 
 TEST(Hud, ClockShowsMinutesAndThenTenths) {

@@ -171,6 +171,10 @@ TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
   EXPECT_FALSE(showsOwnResult(scene, {.waits = false}));
   scene.attempt->arrived = false;
   EXPECT_FALSE(showsOwnResult(scene, {.waits = true})) << "the player tries again";
+  scene.isTeam = true;
+  scene.teamSeconds = 60;
+  EXPECT_TRUE(showsOwnResult(scene, {.waits = true})) << "the other one is there, while this one holds the door";
+  EXPECT_EQ(ownResultOf(scene, {}, kMedals).time, "60.00 s");
 }
 
 TEST(ResultsPanel, TellsThatASlowedGameIsNotKept) {

@@ -77,6 +77,8 @@ TEST(UserInterface, F2GivesTheArrowsToAnotherPlayerAndTakesThemBack) {
   EXPECT_EQ(interface.deviceChange(), DeviceChange::kJoined);
   EXPECT_TRUE(interface.devices().has(1));
   EXPECT_EQ(interface.keyHints().of(Control::kLeft), "A");
+  EXPECT_EQ(interface.keyHints().look(), "Tab and A D");
+  EXPECT_EQ(interface.companionKeyHints(1).of(Control::kLeft), "←");
   interface.handle({Key::kArrowLeft, Kind::kPress}, false);
   interface.handle({Key::kD, Kind::kPress}, false);
   const HeldKeys first = interface.takeHeld(false);
@@ -85,7 +87,7 @@ TEST(UserInterface, F2GivesTheArrowsToAnotherPlayerAndTakesThemBack) {
   EXPECT_TRUE(second.left && !second.right);
   EXPECT_EQ(tap(interface, Key::kF2), Action::kJoin);
   EXPECT_EQ(interface.deviceChange(), DeviceChange::kLeft);
-  EXPECT_EQ(interface.takeHeld(false), HeldKeys()) << "a key that changes hands is not held";
+  EXPECT_EQ(interface.takeHeld(false), first) << "a key that changes hands is not held, and the others are";
   interface.handle({Key::kArrowLeft, Kind::kRelease}, false);
   interface.handle({Key::kArrowLeft, Kind::kPress}, false);
   EXPECT_TRUE(interface.takeHeld(false).left);
@@ -99,6 +101,7 @@ TEST(UserInterface, AGamepadJoinsAndLeavesWithItsTrigger) {
   }
   EXPECT_EQ(interface.handle(padEvent(Key::kPadRightTrigger, 7), false), Action::kJoin);
   EXPECT_EQ(interface.deviceChange(), DeviceChange::kNone) << "four at most";
+  EXPECT_EQ(interface.companionKeyHints(3).of(Control::kJump), "pad A");
   EXPECT_EQ(tap(interface, Key::kF2), Action::kJoin);
   EXPECT_EQ(interface.deviceChange(), DeviceChange::kNone);
   interface.handle(padEvent(Key::kPadLeft, 4), false);
@@ -112,6 +115,32 @@ TEST(UserInterface, AGamepadJoinsAndLeavesWithItsTrigger) {
   EXPECT_EQ(interface.deviceChange(), DeviceChange::kLeft);
   EXPECT_FALSE(interface.devices().has(2));
   EXPECT_TRUE(interface.devices().has(3));
+}
+
+// Whoever joined or left stopped all balls.
+TEST(UserInterface, WhoJoinsOrLeavesStopsNobodyElse) {
+  UserInterface interface { Settings() };
+  for (const int pad : {1, 2}) interface.handle(padEvent(Key::kPadRightTrigger, pad), false);
+  interface.handle(padEvent(Key::kPadRight, 0), false);  // of the first player
+  interface.handle(padEvent(Key::kPadLeft, 1), false);
+  interface.handle(padEvent(Key::kPadA, 2), false);
+  const auto allRun = [&] {
+    return interface.takeHeld(false).right && interface.takeHeld(false, 1).left && interface.takeHeld(false, 2).jump;
+  };
+  ASSERT_TRUE(allRun());
+  for (const DeviceChange change : {DeviceChange::kJoined, DeviceChange::kLeft, DeviceChange::kJoined}) {
+    interface.handle(padEvent(Key::kPadRightTrigger, 3), false);
+    EXPECT_EQ(interface.deviceChange(), change);
+    EXPECT_TRUE(allRun());
+  }
+  tap(interface, Key::kF2);
+  EXPECT_EQ(interface.deviceChange(), DeviceChange::kNone);
+  EXPECT_TRUE(allRun());
+  interface.handle(padEvent(Key::kPadRightTrigger, 1), false);
+  EXPECT_EQ(interface.takeHeld(false, 1), HeldKeys());
+  EXPECT_FALSE(interface.takeHeld(false).left) << "it has to be pressed anew";
+  interface.handle(padEvent(Key::kPadLeft, 1, Kind::kRelease), false);
+  EXPECT_TRUE(interface.takeHeld(false).right);
 }
 
 TEST(UserInterface, ATriggerThatAControlHasDoesNotJoin) {
