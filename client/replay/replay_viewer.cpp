@@ -173,6 +173,7 @@ Scene ReplayViewer::scene() const {
   source.others = player_.players();
   source.localSlot = player_.followed();
   if (player_.followed() < game.slots()) source.attempt.observe(game.tick(), game.player(player_.followed()));
+  if (game.level().players > 1) source.team.observe(game.tick(), teamOf(game));
   return makeScene(source);
 }
 

@@ -269,6 +269,20 @@ TEST_F(ReplayViewerTest, TheClockOfTheRoundIsShownOnlyForSeveralPlayers) {
   EXPECT_TRUE(run.scene().attempt->arrived);
 }
 
+// Who followed the second player read another medal than the game had given.
+TEST(ReplayOfATeam, HasTheTimeOfTheTeamWhoeverIsFollowed) {
+  const auto replay = replayOf(readBytes("levels/data/ways/06_hold_the_door.recording"));
+  ReplayViewer viewer(replay);
+  viewer.skipTo(secondsOf(replay->ticks()));
+  const std::uint32_t team = teamOf(viewer.player().game()).finishTicks;
+  ASSERT_GT(team, 0U);
+  for (const int player : {1, 2}) {
+    ASSERT_TRUE(viewer.scene().teamSeconds) << player;
+    EXPECT_DOUBLE_EQ(*viewer.scene().teamSeconds, secondsOf(team)) << player;
+    viewer.handle(KeyEvent{.key = Key::kTab});
+  }
+}
+
 TEST_F(ReplayViewerTest, BeforeTheFirstTickTheStartIsShown) {
   const Scene scene = viewer_.scene();
   EXPECT_TRUE(scene.players.empty());
