@@ -97,6 +97,7 @@ Next TitleScreen::reveal(const Ending& ending) {
   } else if (const auto* const end = std::get_if<ReplayEnd>(&ending)) {
     stopWatching(*end);
   } else if (session_) {
+    desk_->settings().fullscreen = session_->editor().fullscreen();
     session_.reset();
     front_.showEditor();
   } else {
