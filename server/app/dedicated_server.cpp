@@ -207,7 +207,7 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   match_.receive(event.client, *message, address);
   const bool isPlaying = match_.isPlaying(event.client);
   if (isPlaying) host_.admit(event.client);
-  if (wasPlaying && !isPlaying) host_.close(event.client, timeOf(now));  // a connection serves one stay only
+  if (wasPlaying && !isPlaying) host_.close(event.client, timeOf(now));  // who plays again needs another connection
 }
 
 void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now) {

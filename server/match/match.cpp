@@ -107,16 +107,19 @@ void Match::handle(ClientId id, MatchClient& client, const LocalChat& chat) {
   talk_.say(id, client, chat, roster_, now_, output_);
 }
 
-// A companion that plays may always leave: it can do so no more often than it has joined.
+// A companion that plays may always leave: it can do so no more often than it has joined. Who resumes says all names
+// again, which changes nothing.
 void Match::handle(ClientId id, MatchClient& client, const Companion& companion) {
-  const bool ends = !companion.joins && client.player(companion.local) != nullptr;
+  const MatchPlayer* const player = client.player(companion.local);
+  const bool ends = !companion.joins && player != nullptr;
+  const bool repeats = companion.joins && player != nullptr && player->wanted() == companion.name;
   std::string fault;
-  if (ends || client.mayChangeCompanion(now_))
+  if (ends || (!repeats && client.mayChangeCompanion(now_)))
     fault = changeCompanion(id, client, companion);
-  else if (client.shouldTellExcess(companion.local, now_))
-    fault = "players join here too often: wait two seconds";
-  else
+  else if (!client.shouldAnswer(companion.local, now_))
     return;
+  else if (!repeats)
+    fault = "players join here too often: wait two seconds";
   output_.send(id, encode(LocalSlots{client.slots(), fault, companion.local}));
 }
 

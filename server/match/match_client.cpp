@@ -43,7 +43,7 @@ std::optional<std::uint32_t> MatchClient::localIn(std::uint32_t slot) const {
   return std::nullopt;
 }
 
-std::array<std::optional<std::uint32_t>, kMaxLocalPlayers> MatchClient::slots() const {
+SlotsByLocal MatchClient::slots() const {
   std::array<std::optional<std::uint32_t>, kMaxLocalPlayers> slots;
   for (const auto& [local, player] : players_) slots[local] = player.slot();
   return slots;

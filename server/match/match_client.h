@@ -96,19 +96,22 @@ class MatchClient {
   /// The local number of the player in this slot; nothing if it is of another client.
   std::optional<std::uint32_t> localIn(std::uint32_t slot) const;
   /// The slots of its players, as in LocalSlots.
-  std::array<std::optional<std::uint32_t>, kMaxLocalPlayers> slots() const;
+  SlotsByLocal slots() const;
   /// Number of its players that are active at tick `now` of the match.
   std::uint32_t activePlayers(std::uint64_t now) const;
 
   /// Whether the client may add or rename a companion at tick `now` of the match; it counts then.
   bool mayChangeCompanion(std::uint64_t now) { return companionBudget_.take(now); }
-  /// Whether to tell the client that it changes companions too often: once a tick of each local number.
-  bool shouldTellExcess(std::uint32_t local, std::uint64_t now) {
-    return std::exchange(excessToldAt_[local < kMaxLocalPlayers ? local : 0], now) != now;
+  /// Whether to answer a wish about a companion that changes nothing: once a tick for each local number.
+  bool shouldAnswer(std::uint32_t local, std::uint64_t now) {
+    return std::exchange(answeredAt_[local < kMaxLocalPlayers ? local : 0], now) != now;
   }
   /// Whether the client may have further companions: until one of them was kicked, or that one would be back at once.
   bool mayAddCompanions() const { return mayAddCompanions_; }
   void forbidCompanions() { mayAddCompanions_ = false; }
+  /// Whether further companions are muted: once a muted one has left, which would be heard again at once.
+  bool mutesCompanions() const { return mutesCompanions_; }
+  void muteCompanions() { mutesCompanions_ = true; }
 
   /// Another client resumes the players. It has received nothing that was sent to the previous one.
   void resume();
@@ -140,8 +143,9 @@ class MatchClient {
   IpAddress address_;
   std::map<std::uint32_t, MatchPlayer> players_;  // that of Hello always
   TickBudget companionBudget_{kCompanionsPerSecond, kCompanionBurst};
-  std::array<std::uint64_t, kMaxLocalPlayers> excessToldAt_ = {UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX};
+  std::array<std::uint64_t, kMaxLocalPlayers> answeredAt_ = {UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX};
   bool mayAddCompanions_ = true;
+  bool mutesCompanions_ = false;
   VoteWish wish_;
   InputArrival arrival_;
   TickDelivery ticks_;

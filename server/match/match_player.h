@@ -74,6 +74,9 @@ class MatchPlayer {
   std::uint32_t slot() const { return slot_; }
   const std::string& name() const { return name_; }
   void rename(std::string name) { name_ = std::move(name); }
+  /// The name that a companion has asked for last; empty for a first player.
+  const std::string& wanted() const { return wanted_; }
+  void setWanted(std::string name) { wanted_ = std::move(name); }
 
   /// Starts a round, or one that is under way: ticks before `tick` are decided without the player.
   void startRound(std::uint32_t tick);
@@ -103,6 +106,7 @@ class MatchPlayer {
 
   std::uint32_t slot_;
   std::string name_;
+  std::string wanted_;
   InputBuffer buffer_;
   std::uint32_t end_ = 0;     // one past the newest tick of the round for which an input has arrived
   Input newest_;              // for tick end_ - 1

@@ -195,7 +195,7 @@ MatchClient MatchRoster::extract(std::uint32_t slot, MatchOutput& output) {
     return client;
   }
   const auto connected = connectedIn(slot);
-  const Bye bye{ByeCode::kRemoved, "your player was resumed over another connection"};
+  const Bye bye{ByeCode::kRemoved, "your players were resumed over another connection"};
   output.sendLast(connected->first, encode(bye));
   return std::move(connected_.extract(connected).mapped());
 }
@@ -218,6 +218,8 @@ MatchPlayer& MatchRoster::seatCompanion(ClientId id, std::uint32_t slot, const C
   MatchClient& client = *find(id);
   const std::string& name = names_.claim(slot, companion.name);
   MatchPlayer& player = client.players().emplace(companion.local, MatchPlayer(slot, name, now)).first->second;
+  player.setWanted(companion.name);
+  if (client.mutesCompanions()) names_.mute(slot, true);
   output.add(MatchEvent::Kind::kJoined, id, slot, name);
   evictDisconnected(client.origin(), 0, output);
   return player;
@@ -227,6 +229,7 @@ void MatchRoster::renameCompanion(ClientId id, const Companion& companion, Match
   MatchPlayer& player = *find(id)->player(companion.local);
   const std::string before = player.name();
   player.rename(names_.rename(player.slot(), companion.name));
+  player.setWanted(companion.name);
   if (player.name() != before) output.add(MatchEvent::Kind::kRenamed, id, player.slot(), player.name());
 }
 
@@ -236,6 +239,7 @@ void MatchRoster::removeCompanion(ClientId id, std::uint32_t local, MatchOutput&
 }
 
 void MatchRoster::removePlayer(ClientId id, MatchClient& client, std::uint32_t local, MatchOutput& output) {
+  if (names_.isMuted(client.player(local)->slot())) client.muteCompanions();
   left(*client.player(local), id, output);
   client.players().erase(local);
 }
@@ -299,8 +303,9 @@ bool MatchRoster::kick(std::uint32_t slot, const Bye& bye, MatchOutput& output) 
   if (const auto connected = connectedIn(slot); connected != connected_.end()) {
     auto& [id, client] = *connected;
     if (const std::uint32_t local = *client.localIn(slot); local > 0) {
+      const std::string named = names_.shown(slot) + ": " + bye.reason;
       kickCompanion(id, client, local, output);
-      output.send(id, encode(LocalSlots{client.slots(), bye.reason}));
+      output.send(id, encode(LocalSlots{client.slots(), named.size() <= kMaxReasonBytes ? named : bye.reason}));
     } else {
       output.sendLast(id, encode(bye));
       remove(id, output);

@@ -13,8 +13,6 @@
 
 namespace platon {
 
-using LocalSlotNumbers = std::array<std::optional<std::uint32_t>, kMaxLocalPlayers>;
-
 /// A match without a network, whose clients have companions: messages take effect at once.
 class CompanionTest : public testing::Test {
  protected:

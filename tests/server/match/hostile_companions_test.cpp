@@ -33,13 +33,6 @@ TEST_F(HostileCompanions, ALocalNumberBeyondTheLastIsRefused) {
   EXPECT_EQ(names(), (Names{{0, "Ann"}}));
 }
 
-// The decoder lets no message with local number 0 through.
-TEST_F(HostileCompanions, TheFirstPlayerIsNoCompanion) {
-  std::vector<std::uint8_t> bytes = encode(Companion{9, false});
-  std::replace(bytes.begin(), bytes.end(), std::uint8_t{9}, std::uint8_t{0});
-  EXPECT_FALSE(decodeToServer(bytes));
-}
-
 TEST_F(HostileCompanions, OneThatJoinsTwiceHasOneSlot) {
   join(1, "Ann");
   EXPECT_EQ(add(1, 1, "Eve"), (LocalSlots{{0, 1}}));
@@ -163,6 +156,31 @@ TEST_F(HostileCompanions, ResumingGivesNoNewBudget) {
   EXPECT_EQ(add(2, 2, "Ben").reason, kTooOften);
 }
 
+// A client that resumed twice was told that its players join too often.
+TEST_F(HostileCompanions, NamesThatAreSaidAgainCostNothing) {
+  join(1, "Ann");
+  for (const std::uint32_t local : {1u, 2u, 3u}) add(1, local, "Eve");
+  rest();
+  for (ClientId id = 2; id < 12; ++id) {
+    match_.receive(id, helloOf("Ann", 1));
+    forget();
+    for (const std::uint32_t local : {1u, 2u, 3u}) EXPECT_EQ(add(id, local, "Eve"), (LocalSlots{{0, 1, 2, 3}}));
+    run();
+  }
+  EXPECT_EQ(names(), (Names{{0, "Ann"}, {1, "Eve"}, {2, "Eve 2"}, {3, "Eve 3"}}));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(add(11, 1, "Cid " + std::to_string(i)).reason, "");
+  EXPECT_EQ(add(11, 1, "Dan").reason, kTooOften) << "another name is a change";
+}
+
+TEST_F(HostileCompanions, OneTickHasOneAnswerToANameThatIsSaidAgain) {
+  join(1, "Ann");
+  add(1, 1, "Eve");
+  run();
+  forget();
+  for (int i = 0; i < 100; ++i) match_.receive(1, Companion{1, true, "Eve"});
+  EXPECT_EQ(sentTo<LocalSlots>(1).size(), 1u);
+}
+
 TEST_F(HostileCompanions, AConnectionThatWasResumedElsewhereHasNoCompanions) {
   join(1, "Ann");
   add(1, 1, "Eve");
@@ -172,7 +190,7 @@ TEST_F(HostileCompanions, AConnectionThatWasResumedElsewhereHasNoCompanions) {
   match_.receive(1, Companion{1, false});
   match_.receive(1, LocalChat{1, {"a", 0}});
   EXPECT_TRUE(match_.takeOutgoing().empty());
-  EXPECT_EQ(match_.find(2)->slots(), (LocalSlotNumbers{0, 1}));
+  EXPECT_EQ(match_.find(2)->slots(), (SlotsByLocal{0, 1}));
 }
 
 // Two slots of one connection and a name that is already there.
@@ -183,7 +201,7 @@ TEST_F(HostileCompanions, TwoCompanionsOfOneNameSwapNothing) {
   EXPECT_EQ(names(), (Names{{0, "Ann"}, {1, "Eve"}, {2, "Eve 2"}}));
   drop(1, 1);
   EXPECT_EQ(add(1, 2, "Eve"), (LocalSlots{{0, kNone, 2}}));
-  EXPECT_EQ(names(), (Names{{0, "Ann"}, {2, "Eve"}})) << "the name is free again";
+  EXPECT_EQ(names(), (Names{{0, "Ann"}, {2, "Eve 2"}})) << "a name that is said again stays";
 }
 
 class FullHousehold : public CompanionTest {

@@ -9,8 +9,6 @@
 namespace platon::match_client_test {
 namespace {
 
-using Slots = std::array<std::optional<std::uint32_t>, kMaxLocalPlayers>;
-
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
 TEST(VoteWish, CountsAtOnceAndEndsWhenItIsTakenBackASecondLater) {
@@ -108,7 +106,7 @@ class MatchClientTest : public testing::Test {
 
 TEST_F(MatchClientTest, KnowsThePlayersByLocalNumberAndBySlot) {
   add(3, 7);
-  EXPECT_EQ(client_.slots(), (Slots{0, std::nullopt, std::nullopt, 7}));
+  EXPECT_EQ(client_.slots(), (SlotsByLocal{0, std::nullopt, std::nullopt, 7}));
   EXPECT_EQ(client_.player(0), &client_.first());
   EXPECT_EQ(client_.player(3)->slot(), 7u);
   EXPECT_EQ(client_.player(1), nullptr);
@@ -180,10 +178,10 @@ TEST_F(MatchClientTest, CompanionsChangeFourTimesAtOnceAndThenOnceInTwoSeconds) 
   EXPECT_FALSE(client_.mayChangeCompanion(1000 + 2 * kTicksPerSecond));
 }
 
-TEST_F(MatchClientTest, ExcessIsToldOnceATick) {
+TEST_F(MatchClientTest, AWishThatChangesNothingIsAnsweredOnceATick) {
   for (std::uint64_t tick = 0; tick < 3; ++tick) {
-    EXPECT_TRUE(client_.shouldTellExcess(1, tick));
-    EXPECT_FALSE(client_.shouldTellExcess(1, tick));
+    EXPECT_TRUE(client_.shouldAnswer(1, tick));
+    EXPECT_FALSE(client_.shouldAnswer(1, tick));
   }
 }
 
@@ -225,7 +223,7 @@ TEST_F(MatchClientTest, ResumingKeepsPlayersAndTokenAndDiscardsAllElse) {
   client_.addInputs({1, 0, 0, 0, 0, {pressing(1)}, 5, {{2, 0, {pressing(1)}}}}, 0, 0);
   client_.vote(true, 0);
   client_.resume();
-  EXPECT_EQ(client_.slots(), (Slots{0, std::nullopt, 9}));
+  EXPECT_EQ(client_.slots(), (SlotsByLocal{0, std::nullopt, 9}));
   EXPECT_TRUE(client_.hasToken(SessionToken{1, 2, 3}));
   EXPECT_EQ(client_.ticks().acknowledged(), 0u);
   EXPECT_FALSE(client_.transfers().nextChunk());

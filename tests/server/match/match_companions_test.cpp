@@ -173,6 +173,19 @@ TEST_F(MatchCompanions, AMutedCompanionIsNotHeardAndTheOthersAre) {
   EXPECT_EQ(match_.playerStatus()[1].shownName, "Player 2");
 }
 
+// It was heard again as soon as it left and came back.
+TEST_F(MatchCompanions, AMutedCompanionThatLeavesAndReturnsIsMuted) {
+  join(1, "Ann");
+  add(1, 1, "Ben");
+  EXPECT_TRUE(match_.mute(1, true));
+  drop(1, 1);
+  run();
+  add(1, 2, "Cid");
+  EXPECT_TRUE(match_.playerStatus()[1].muted) << "under any number";
+  join(2, "Dan");
+  EXPECT_FALSE(match_.playerStatus()[2].muted);
+}
+
 TEST_F(MatchCompanions, TheRoundTripOfAConnectionIsThatOfAllItsPlayers) {
   MatchProgram program;
   program.roundTrip = [](ClientId id) { return 20 * id; };
@@ -410,7 +423,7 @@ class CompanionResume : public CompanionPlay {
 };
 
 TEST_F(CompanionResume, ATokenResumesAllPlayersInTheirSlots) {
-  const LocalSlotNumbers before{0, 2, kNone, 3};
+  const SlotsByLocal before{0, 2, kNone, 3};
   ASSERT_EQ(network_.client(1).localSlots().back().slots, before);
   network_.disconnect(1);
   network_.run(100);
@@ -489,7 +502,7 @@ TEST_F(CompanionKick, ACompanionGoesAlone) {
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(sent[0].client, 1u);
   EXPECT_FALSE(sent[0].last) << "the connection stays";
-  EXPECT_EQ(decodeToClient(sent[0].bytes), ToClient(LocalSlots{{0, kNone, 3}, "too loud"}));
+  EXPECT_EQ(decodeToClient(sent[0].bytes), ToClient(LocalSlots{{0, kNone, 3}, "Cid: too loud"}));
   EXPECT_EQ(events(), (Texts{"left 1 2 Cid"}));
   EXPECT_EQ(names(), (Names{{0, "Ann"}, {1, "Ben"}, {3, "Dan"}}));
 }
