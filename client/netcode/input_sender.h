@@ -54,6 +54,8 @@ class InputSender {
   /// Adds the inputs for `tick`. Ticks increase from call to call; skipped ticks must already be confirmed. The first
   /// player is always present; a companion that is not has left, and what it has added is not sent any more.
   void add(std::uint32_t tick, const InputsByLocal& inputs);
+  /// Another player has this local number now: what was added for the one before is not sent any more.
+  void forget(std::size_t local) { firsts_[local].reset(); }
   /// Makes the next message due at once.
   void sendSoon() { schedule_.sendSoon(); }
 

@@ -88,7 +88,7 @@ struct PredictionStatistics {
 /// assumed to keep their last confirmed input. Reconciliation replays it only if a confirmed input or state differs
 /// from the prediction.
 ///
-/// Ticks are calls of Game::advance in this round. Game::tick stops when the game is over; these do not.
+/// Ticks are calls of Game::advance in this round.
 class Prediction {
  public:
   /// Maximum number of predicted ticks ahead of the confirmed game: more than 4 s.

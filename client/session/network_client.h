@@ -27,7 +27,7 @@ class NetworkClient {
     std::string name;
     ServerKnowledge knowledge{};
     std::optional<ServerAddress> relay{};           ///< through which to connect
-    std::optional<SessionToken> token{};            ///< of the player to resume; if not given, a random one
+    std::optional<SessionToken> token{};            ///< of the players to resume; if not given, a random one
     std::shared_ptr<LevelStore> levels{};           ///< of this server; null: levels are kept in memory only
     std::shared_ptr<ConfirmedObserver> observer{};  ///< follows the confirmed games; null: none
   };
@@ -72,10 +72,10 @@ class NetworkClient {
   /// Why the match is interrupted, or why the server refuses to let the player go on, a sentence for the player; empty
   /// while it is not.
   const std::optional<std::string>& outage() const { return recovery_.outage; }
-  /// How often the client resumed its player or rejoined after an outage.
+  /// How often the client resumed its players or rejoined after an outage.
   std::uint32_t resumes() const { return resumes_; }
 
-  /// The secret that identifies the player to resume. Do not log it.
+  /// The secret that identifies the players to resume. Do not log it.
   const SessionToken& token() const { return *memory_.token; }
   /// Whether the server has ever accepted the client.
   bool welcomed() const { return welcomed_; }

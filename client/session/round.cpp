@@ -36,8 +36,11 @@ Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, const 
 }
 
 void Round::setSlots(const SlotsByLocal& slots) {
-  for (std::size_t local = 0; local < slots.size(); ++local)
-    if (slots[local] != prediction_.slots()[local]) attempts_[local] = Attempt();
+  for (std::size_t local = 0; local < slots.size(); ++local) {
+    if (slots[local] == prediction_.slots()[local]) continue;
+    attempts_[local] = Attempt();
+    exchange_.forget(local);
+  }
   prediction_.setSlots(slots);
 }
 

@@ -58,6 +58,8 @@ class RoundExchange {
   /// present in ticks before the first with local inputs.
   InputsByLocal choose(std::uint32_t tick, const std::function<InputsByLocal()>& inputs);
 
+  /// Another player has this local number now.
+  void forget(std::size_t local) { inputSender_.forget(local); }
   /// Makes the next message due at once.
   void sendSoon() { inputSender_.sendSoon(); }
   /// The message to send at `now`, without its sequence number; nothing if none is due.

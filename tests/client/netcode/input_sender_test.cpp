@@ -96,6 +96,18 @@ TEST(InputSender, WhoHasLeftSendsNothingAndBeginsAnewWhenItReturns) {
   EXPECT_EQ(message->companions, (std::vector<CompanionInputs>{{1, 6, {pressing(2)}}}));
 }
 
+// Who leaves and comes back between two ticks sent what the one before had pressed.
+TEST(InputSender, WhoTakesOverALocalNumberSendsNothingOfTheOneBefore) {
+  InputSender sender(kRound);
+  for (std::uint32_t tick = 0; tick < 4; ++tick) sender.add(tick, {pressing(tick), pressing(1)});
+  sender.forget(1);
+  sender.add(4, {pressing(4), pressing(2)});
+  const auto message = sender.takeMessage(milliseconds(0), {0, 0, 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->inputs.size(), 5U);
+  EXPECT_EQ(message->companions, (std::vector<CompanionInputs>{{1, 4, {pressing(2)}}}));
+}
+
 TEST(InputSender, TheLongestMessageOfAllPlayersIsWithinTheLargestSize) {
   InputSender sender(kRound);
   for (std::uint32_t tick = 0; tick < 1000; ++tick) {

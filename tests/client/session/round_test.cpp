@@ -112,6 +112,21 @@ TEST_F(RoundTest, SendsChangesAtOnceElseEveryFourthTick) {
   EXPECT_LE(sentAt.size(), 40u / 4 + 2 * 3 + 1);
 }
 
+// It leaves and comes back before the next tick.
+TEST_F(RoundTest, WhoTakesOverALocalNumberSendsNothingOfTheOneBefore) {
+  round_.setSlots({kSlot, 2});
+  round_.receive(server_.decide(100), now_);
+  const auto before = update(100, Input{Input::kRight});
+  ASSERT_EQ(before->companions.size(), 1U);
+  const std::uint32_t next = round_.prediction().predictedTicks();
+  round_.setSlots({kSlot});
+  round_.setSlots({kSlot, 3});
+  const auto after = update(140, Input{Input::kLeft});
+  ASSERT_EQ(after->companions.size(), 1U);
+  EXPECT_EQ(after->companions[0].first, next);
+  EXPECT_LT(after->first, next);
+}
+
 // The law also holds after the maximum number of predicted ticks.
 TEST_F(RoundTest, CallsControlsOncePerTick) {
   round_.receive(server_.decide(10), now_);
