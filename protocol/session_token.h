@@ -8,8 +8,8 @@
 
 namespace platon {
 
-/// Secret with which a client resumes its player after its connection was lost: 16 random bytes that the client chooses
-/// and sends in its first `Hello`. It works even when the answer to that message is lost.
+/// Secret with which a client resumes its players after its connection was lost: 16 random bytes that the client
+/// chooses and sends in its first `Hello`. It works even when the answer to that message is lost.
 using SessionToken = std::array<std::uint8_t, 16>;
 
 /// Returns nothing if the number of bytes is not that of a token.

@@ -145,8 +145,9 @@ struct PlayerChat {
 /// Slots by local number; nothing for a local number without a player.
 using SlotsByLocal = std::array<std::optional<std::uint32_t>, kMaxLocalPlayers>;
 
-/// The slots of the players of this client. Answers a `Companion`, and is sent when a player has
-/// been removed. After `Welcome`, only the player of `Hello` has a slot, unless a client resumes: then this follows.
+/// The slots of the players of this client. Answers a `Companion`, and is sent when a player has been removed. After
+/// `Welcome`, only the player of `Hello` has a slot, unless this follows at once, as it does when a client resumes
+/// several players.
 struct LocalSlots {
   SlotsByLocal slots;    ///< below kMaxPlayers, each once; of local number 0 always
   std::string reason{};  ///< why a player does not have one, a sentence for the players, a label; empty: as they wished

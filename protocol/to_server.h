@@ -18,7 +18,7 @@ namespace platon {
 struct Hello {
   std::uint32_t rulesVersion = kRulesVersion;
   std::string name;                     ///< a label (`isLabel`); empty: the server chooses one
-  std::optional<SessionToken> token{};  ///< resumes the player that joined with the same token
+  std::optional<SessionToken> token{};  ///< resumes the players that joined with the same token
   std::vector<std::uint64_t> levels{};  ///< hashes of known levels; at most kMaxLevelsKnown
 
   friend bool operator==(const Hello&, const Hello&) = default;
@@ -31,12 +31,12 @@ struct LevelRequest {
   friend bool operator==(const LevelRequest&, const LevelRequest&) = default;
 };
 
-/// The player leaves. Reliable.
+/// All players of the client leave. Reliable.
 struct Leave {
   friend bool operator==(const Leave&, const Leave&) = default;
 };
 
-/// The player wishes that the round ends and the next level follows, or no longer wishes it. Reliable.
+/// The players wish that the round ends and the next level follows, or no longer wish it. Reliable.
 struct Vote {
   std::uint32_t round = 0;  ///< a vote for another round has no effect
   bool next = false;
