@@ -91,6 +91,9 @@ TEST(ElementTest, AWordIsOfElementsOfItsKindAndNumber) {
   EXPECT_TRUE((ElementWord{ElementKind::kKey, 3}.isOf(element)));
   EXPECT_FALSE((ElementWord{ElementKind::kKey, 2}.isOf(element)));
   EXPECT_FALSE((ElementWord{ElementKind::kPlate, 3}.isOf(element)));
+  const Element timed{.kind = ElementKind::kTimed, .number = 3, .openTicks = 2};
+  EXPECT_TRUE((ElementWord{ElementKind::kTimed, 3, 2}.isOf(timed)));
+  EXPECT_FALSE((ElementWord{ElementKind::kTimed, 3, 4}.isOf(timed)));
 }
 
 TEST(ElementTest, ATimedSegmentIsSolidFirstAndThenOpen) {
@@ -102,7 +105,8 @@ TEST(ElementTest, ATimedSegmentIsSolidFirstAndThenOpen) {
     EXPECT_EQ(phase.ticks, ticks) << tick;
     EXPECT_EQ((OpenElements{0, tick}.has(timed)), isOpen) << tick;
   };
-  for (const std::uint32_t turn : {0U, 5U, 859'000U * 5}) {
+  // The last one ends where the clock does.
+  for (const std::uint32_t turn : {0U, 5U, 858'993'458U * 5}) {
     expect(turn, false, 3, 3);
     expect(turn + 1, false, 2, 3);
     expect(turn + 2, false, 1, 3);

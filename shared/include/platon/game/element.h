@@ -162,7 +162,8 @@ struct TimedPhase {
   std::uint32_t ticksLeft = 0;  ///< of this state, the present tick included; at least 1
   std::uint32_t ticks = 0;      ///< of the whole state
 };
-/// Of the tick that follows after `tick` ticks of a round: first it is solid.
+/// Of the tick that follows after `tick` ticks of a round: first it is solid. Its numbers are 1 … 3600, so that a turn
+/// has 2 … 7200 ticks.
 constexpr TimedPhase phaseOf(const Element& timed, std::uint32_t tick) {
   const std::uint32_t solid = timed.number;
   const std::uint32_t passed = tick % (solid + timed.openTicks);

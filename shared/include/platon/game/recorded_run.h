@@ -19,8 +19,8 @@ class LevelRest {
   /// Most ticks that are looked at. On usual levels a player rests after some tens.
   static constexpr std::uint32_t kMaxTicks = 600;
 
-  /// Plays up to kMaxTicks ticks of one player. Where it depends on the clock of the round what the player goes
-  /// through, there is no rest: nobody lies there.
+  /// Plays up to kMaxTicks ticks of one player. On a level with timed segments that such a player can meet there is no
+  /// rest: `ticksTo` returns nothing.
   explicit LevelRest(const std::shared_ptr<const Level>& level);
 
   /// The ticks without a button after which a player is as that of `slot` is: the same place and motion, and no
