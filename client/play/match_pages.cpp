@@ -34,6 +34,7 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
                  : match.wishesNext() ? "Take back the vote for the next level"
                                       : "Vote for the next level";
   choices.restartKey = interface_->keyHints().of(Control::kRestart);
+  choices.nextKey = interface_->keyHints().of(Control::kVote);
   choices.sayKey = interface_->keyHints().of(Control::kSay);
   choices.onResume = [this] { menu_->close(); };
   choices.onRestart = [this] {
@@ -43,6 +44,10 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   choices.onNext = [this, &match] {
     if (match.alone() && !skip_.wish(match.losesNothing())) return;
     match.skipLevel();
+    menu_->close();
+  };
+  choices.onHelp = [this] {
+    interface_->showHelp();
     menu_->close();
   };
   choices.onSettings = calls_.showSettings;

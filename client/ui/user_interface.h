@@ -49,6 +49,8 @@ class UserInterface {
 
   Settings& settings() { return settings_; }
   const Settings& settings() const { return settings_; }
+  /// Shows the help until the key for it hides it.
+  void showHelp() { helpShown_ = true; }
   bool helpShown() const { return helpShown_; }
 
  private:

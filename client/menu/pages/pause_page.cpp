@@ -8,7 +8,8 @@ MenuPage pausePage(const PauseChoices& choices) {
   MenuPage page{choices.title, choices.notes};
   page.items = {{.name = "Resume", .choose = choices.onResume},
                 {.name = "Back to the start", .value = choices.restartKey, .choose = choices.onRestart},
-                {.name = choices.next, .choose = choices.onNext},
+                {.name = choices.next, .value = choices.nextKey, .choose = choices.onNext},
+                {.name = "Show all keys", .value = "F1", .choose = choices.onHelp},
                 {.name = "Settings", .choose = choices.onSettings},
                 {.name = "Return to the title", .choose = choices.onLeave}};
   if (choices.onWatch)

@@ -18,9 +18,11 @@ struct PauseChoices {
   std::vector<std::string> notes;  ///< paragraphs
   std::string restartKey;          ///< that returns to the start
   std::string next;                ///< name of the item that leads to the next level
+  std::string nextKey;             ///< that leads there, too
   std::function<void()> onResume;
   std::function<void()> onRestart;
   std::function<void()> onNext;
+  std::function<void()> onHelp;  ///< shows all keys
   std::function<void()> onSettings;
   std::function<void()> onLeave;
   std::function<void()> onWatch{};  ///< shows the player's best run on the level; empty: there is none

@@ -182,6 +182,7 @@ TEST_F(MenuPicturesTest, Pause) {
   PauseChoices choices;
   choices.title = "Pause";
   choices.restartKey = "R";
+  choices.nextKey = "V";
   choices.next = "Next level";
   choices.onResume = choices.onRestart = choices.onNext = choices.onSettings = choices.onLeave = [] {};
   choices.onWatch = [] {};

@@ -22,7 +22,7 @@
 namespace platon::window_play_test {
 namespace {
 
-constexpr int kSettingsItem = 3;  // of the menu over the game, below Resume
+constexpr int kSettingsItem = 4;  // of the menu over the game, below Resume
 constexpr const char* kKeysItem = "Keys and buttons";
 
 std::string keys(const std::string& key, int times) {

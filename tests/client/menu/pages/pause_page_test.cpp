@@ -11,24 +11,34 @@ namespace {
 TEST(PausePage, EachItemCallsItsOwn) {
   std::string called;
   const auto note = [&called](const char* name) { return [&called, name] { called += name; }; };
-  PauseChoices choices{"Pause",       {"a note"},        "R",           "Vote", note("resume "), note("restart "),
-                       note("next "), note("settings "), note("leave ")};
+  PauseChoices choices;
+  choices.title = "Pause";
+  choices.notes = {"a note"};
+  choices.next = "Vote";
+  choices.nextKey = "V";
+  choices.onResume = note("resume ");
+  choices.onRestart = note("restart ");
+  choices.onNext = note("next ");
+  choices.onHelp = note("help ");
+  choices.onSettings = note("settings ");
+  choices.onLeave = note("leave ");
   const MenuPage page = pausePage(choices);
   for (const MenuItem& item : page.items) item.choose();
   page.back();
-  EXPECT_EQ(called, "resume restart next settings leave resume ");
+  EXPECT_EQ(called, "resume restart next help settings leave resume ");
   EXPECT_EQ(page.notes, choices.notes);
   EXPECT_EQ(page.items[2].name, "Vote");
+  EXPECT_EQ(page.items[2].value, "V");
   EXPECT_EQ(page.title, "Pause");
 }
 
 TEST(PausePage, TheBestRunIsOfferedIfThereIsOne) {
   bool watched = false;
   PauseChoices choices;
-  EXPECT_EQ(pausePage(choices).items.size(), 5U);
+  EXPECT_EQ(pausePage(choices).items.size(), 6U);
   choices.onWatch = [&watched] { watched = true; };
   const MenuPage page = pausePage(choices);
-  ASSERT_EQ(page.items.size(), 6U);
+  ASSERT_EQ(page.items.size(), 7U);
   EXPECT_EQ(page.items[3].name, "Watch your best run");
   page.items[3].choose();
   EXPECT_TRUE(watched);
@@ -40,7 +50,7 @@ TEST(PausePage, WithOthersThePlayerCanSaySomethingWithoutAKeyboard) {
   choices.onSay = [&says] { says = true; };
   choices.sayKey = "T";
   const MenuPage page = pausePage(choices);
-  ASSERT_EQ(page.items.size(), 6U);
+  ASSERT_EQ(page.items.size(), 7U);
   EXPECT_EQ(page.items[3].name, "Talk");
   EXPECT_EQ(page.items[3].value, "T");
   page.items[3].choose();
