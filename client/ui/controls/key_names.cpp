@@ -173,7 +173,7 @@ std::string KeyHints::joinPad() const {
 std::string KeyHints::look() const {
   if (gamepad_) return std::string(shownNameOf(Key::kPadLookLeft));
   const std::string key = nameOf(bindings_.keysOf(Control::kLook).first);
-  return key.empty() ? "right mouse button" : key + " and " + lookWays();
+  return key.empty() ? "right mouse button" : "Hold " + key + " and press " + lookWays();
 }
 
 std::string KeyHints::lookWays() const {

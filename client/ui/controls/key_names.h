@@ -39,7 +39,7 @@ class KeyHints {
   std::string join() const;
   /// The button of the gamepad that does; empty if a control has it.
   std::string joinPad() const;
-  /// What looks round the solid: `Tab and arrows`.
+  /// What looks round the solid: `Hold Tab and press arrows`.
   std::string look() const;
   /// The keys that say which way: `arrows`, or those that run if another player has them.
   std::string lookWays() const;

@@ -16,13 +16,27 @@ constexpr std::uint32_t kElementReadTicks = 4 * kTicksPerSecond;  // to read a h
 constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // of a kind that the ball has not met
 constexpr double kNearElement = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
 
-// What a kind does.
-std::string_view hintOf(ElementKind kind) {
+constexpr std::size_t indexOf(ElementKind kind) { return static_cast<std::size_t>(kind); }
+
+ElementKindMask bit(std::size_t kind) { return ElementKindMask{1} << kind; }
+
+// What opens the doors of a level with elements of these kinds.
+std::string_view doorHint(ElementKindMask kinds) {
+  const bool byKey = (kinds & bit(indexOf(ElementKind::kKey))) != 0;
+  const bool byPlate = (kinds & bit(indexOf(ElementKind::kPlate))) != 0;
+  if (byKey && byPlate)
+    return "A door opens with the key of its number, or while somebody stands on the plate of its number";
+  return byPlate ? "A door is open while somebody stands on the plate of its number"
+                 : "A door opens with the key of its number";
+}
+
+// What a kind does, on a level with elements of these kinds.
+std::string_view hintOf(ElementKind kind, ElementKindMask kinds) {
   switch (kind) {
     case ElementKind::kOneway:
       return "A ledge with arrows lets you pass the way they point";
     case ElementKind::kUp:
-      return "A wall of arrows is solid while they are filled. They are as long as they point up for you";
+      return "A wall of arrows is solid while its arrows are filled, and they are while they point up for you";
     case ElementKind::kHazard:
       return "Red thorns send you back to the start, or to your last flag";
     case ElementKind::kCheckpoint:
@@ -30,7 +44,7 @@ std::string_view hintOf(ElementKind kind) {
     case ElementKind::kKey:
       return "A key opens all doors with its number";
     case ElementKind::kDoor:
-      return "A door opens with the key of its number, or while somebody stands on the plate of its number";
+      return doorHint(kinds);
     case ElementKind::kPlate:
       return "While somebody stands on a plate, the doors with its number are open";
     case ElementKind::kTimed:
@@ -39,11 +53,9 @@ std::string_view hintOf(ElementKind kind) {
   return {};
 }
 
-ElementKindMask bit(std::size_t kind) { return ElementKindMask{1} << kind; }
-
 ElementKindMask kindsOf(std::span<const Element> elements) {
   ElementKindMask kinds = 0;
-  for (const Element& element : elements) kinds |= bit(static_cast<std::size_t>(element.kind));
+  for (const Element& element : elements) kinds |= bit(indexOf(element.kind));
   return kinds;
 }
 
@@ -95,13 +107,14 @@ void ElementHints::tell(std::uint8_t kind) {
 
 void ElementHints::observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements,
                            bool shown, UntoldElements& untold) {
-  const ElementKindMask open = kindsOf(elements) & untold.mask;
+  kinds_ = kindsOf(elements);
+  const ElementKindMask open = kinds_ & untold.mask;
   met_ &= open;
   if (kind_ != kNone && ticks_ >= kTurnTicks) told_ |= bit(kind_);
   if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) tell(nextOf(open & ~told_));
   if (player.startedAt == 0 || player.arrived != 0) return;
   for (const Element& element : elements) {
-    if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind)) & open;
+    if (isNear(ball, element)) met_ |= bit(indexOf(element.kind)) & open;
   }
   if (!isDue() && met_ != 0) tell(nextOf(met_));
   if (kind_ == kNone || !shown || ++ticks_ < kElementReadTicks || !isDue()) return;
@@ -110,7 +123,7 @@ void ElementHints::observe(const PlayerState& player, const EntityState& ball, s
 }
 
 std::string_view ElementHints::hint() const {
-  return kind_ == kNone ? std::string_view() : hintOf(kElementKinds[kind_]);
+  return kind_ == kNone ? std::string_view() : hintOf(kElementKinds[kind_], kinds_);
 }
 
 }  // namespace platon

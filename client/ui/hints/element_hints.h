@@ -46,6 +46,7 @@ class ElementHints {
   std::uint8_t nextOf(ElementKindMask open) const;
 
   std::uint8_t kind_ = kNone;  // index into kElementKinds
+  ElementKindMask kinds_ = 0;  // of the level
   ElementKindMask told_ = 0;   // these have had their turn before the ball has met one
   ElementKindMask met_ = 0;    // the ball has been near an element of these
   std::uint32_t ticks_ = 0;    // for which the hint has been on the screen while the ball was played

@@ -142,7 +142,7 @@ std::string NewPlayerHints::hint(const KeyHints& keys) const {
     case Shown::kKeys:
       return keys_.hint(keys);
     case Shown::kDown:
-      return "The arrow shows where down is. It has turned: a wall may be a floor now";
+      return "Down has turned: a wall may be a floor now";
     case Shown::kLook:
       return keys.look() + ": look round for a way to the goal";
     case Shown::kElement:

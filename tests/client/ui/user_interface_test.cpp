@@ -77,7 +77,7 @@ TEST(UserInterface, F2GivesTheArrowsToAnotherPlayerAndTakesThemBack) {
   EXPECT_EQ(interface.deviceChange(), DeviceChange::kJoined);
   EXPECT_TRUE(interface.devices().has(1));
   EXPECT_EQ(interface.keyHints().of(Control::kLeft), "A");
-  EXPECT_EQ(interface.keyHints().look(), "Tab and A D");
+  EXPECT_EQ(interface.keyHints().look(), "Hold Tab and press A D");
   EXPECT_EQ(interface.companionKeyHints(1).of(Control::kLeft), "←");
   interface.handle({Key::kArrowLeft, Kind::kPress}, false);
   interface.handle({Key::kD, Kind::kPress}, false);

@@ -72,7 +72,7 @@ TEST(KeyHints, EnterGoesOnAndWithAGamepadTheButtonOfTheVote) {
 }
 
 TEST(KeyHints, NameWhatLooksRound) {
-  EXPECT_EQ(KeyHints().look(), "Tab and arrows");
+  EXPECT_EQ(KeyHints().look(), "Hold Tab and press arrows");
   EXPECT_EQ(KeyHints({}, true).look(), "right stick");
   Bindings bindings;
   bindings.clear(Control::kLook);

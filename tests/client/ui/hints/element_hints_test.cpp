@@ -155,7 +155,8 @@ TEST(ElementHints, ThatOfUpSaysWhenItBlocks) {
   ElementHints hints;
   UntoldElements untold;
   play(hints, elementsOf({ElementKind::kUp}), untold, 1);
-  EXPECT_EQ(hints.hint(), "A wall of arrows is solid while they are filled. They are as long as they point up for you");
+  EXPECT_EQ(hints.hint(),
+            "A wall of arrows is solid while its arrows are filled, and they are while they point up for you");
   for (const int edges : {3, 4, 5}) {
     for (int degrees = 0; degrees < 360; ++degrees) {
       Element element;
@@ -166,6 +167,21 @@ TEST(ElementHints, ThatOfUpSaysWhenItBlocks) {
       }
     }
   }
+}
+
+// On level 5, a door with a key told of a plate, and there is none.
+TEST(ElementHints, ThatOfADoorSaysWhatOpensItOnThisLevel) {
+  const auto hintOf = [](std::initializer_list<ElementKind> kinds) {
+    ElementHints hints;
+    UntoldElements untold;
+    play(hints, elementsOf(kinds), untold, 1, ballOn(0));
+    return std::string(hints.hint());
+  };
+  constexpr ElementKind kDoor = ElementKind::kDoor;
+  EXPECT_EQ(hintOf({kDoor, ElementKind::kKey}), "A door opens with the key of its number");
+  EXPECT_EQ(hintOf({kDoor, ElementKind::kPlate}), "A door is open while somebody stands on the plate of its number");
+  EXPECT_EQ(hintOf({kDoor, ElementKind::kPlate, ElementKind::kKey}),
+            "A door opens with the key of its number, or while somebody stands on the plate of its number");
 }
 
 TEST(ElementHints, EveryKindHasAHint) {

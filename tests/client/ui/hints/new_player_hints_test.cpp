@@ -128,10 +128,9 @@ constexpr const char* kKeyFloor =
     "HEXAHEDRON\n0 0 -188 0\n3 0 0\n480\n%\n-150 -200 240 -200\n-150 -200 -150 100\n"
     "-100 -190 -100 -180 key 1\n-200 90 -200 100 door 1\n%\n%\n%\n%\n%\n";
 constexpr const char* kKey = "A key opens all doors with its number";
-constexpr const char* kDoor =
-    "A door opens with the key of its number, or while somebody stands on the plate of its number";
-constexpr const char* kLook = "Tab and arrows: look round for a way to the goal";
-constexpr const char* kDown = "The arrow shows where down is. It has turned: a wall may be a floor now";
+constexpr const char* kDoor = "A door opens with the key of its number";
+constexpr const char* kLook = "Hold Tab and press arrows: look round for a way to the goal";
+constexpr const char* kDown = "Down has turned: a wall may be a floor now";
 constexpr const char* kStuck = "Stuck? R: back to the start";
 
 TEST_F(NewPlayerHintsTest, TheKeysAndTheElementsOfALevelTakeTurns) {
