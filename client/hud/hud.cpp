@@ -385,17 +385,25 @@ std::string actionOf(const Scene& scene, const HudStatus& status, const Font& fo
   return hasOwnResult(scene, status) ? ownKeysOf(*status.summary, status.keys, font) : hintOf(scene, status);
 }
 
-// In the upper half, below the title; where there is little room, without its headline.
-void placeOwnResult(HudSpace& space, const Scene& scene, const HudStatus& status, const Font& font) {
+// In the upper half, below the title, or in the lower one if the ball, and with it the goal, would be behind it; where
+// there is little room, without its headline.
+void placeOwnResult(HudSpace& space, const HudPane& pane, const HudStatus& status, const Font& font) {
   constexpr float kTop = 76;
+  constexpr float kGapBelow = 20;
+  constexpr float kBelow = 130;  // at the lower edge, for other texts
+  const Scene& scene = *pane.scene;
   OwnResult result = ownResultOf(scene, status.run, status.medals);
-  const auto place = [&] {
-    const glm::vec2 top(space.screen().x / 2, kTop);
-    return space.add(drawn(font, [&](OverlayWriter& writer) { addOwnResult(writer, result, top); }));
+  const auto at = [&](float top) {
+    return drawn(font, [&](OverlayWriter& writer) { addOwnResult(writer, result, {space.screen().x / 2, top}); });
   };
-  if (place()) return;
+  const HudBox upper = boundsOf(at(kTop), font);
+  const bool coversBall =
+      !scene.players.empty() && onScreen(pane, scene.players.back().pose.position).y < upper.high.y + kGapBelow;
+  const float lower = space.startOfFoot() - kBelow - (upper.high.y - upper.low.y);
+  if (coversBall && space.add(at(lower))) return;
+  if (space.add(at(kTop))) return;
   result.headline.clear();
-  place();
+  space.add(at(kTop));
 }
 
 // At the lower edge the message, above it the notice, and above that what the player may do.
@@ -491,7 +499,7 @@ Overlay hudOf(std::span<const HudPane> panes, const HudStatus& status, const Fon
   const glm::vec2 screen = space.screen();
   placeTexts(space, status, status.underMenu ? "" : actionOf(scene, status, font), font, panes.front().size.x);
   if (status.underMenu) return scaledBy(space.overlay(), status.scale);
-  if (hasOwnResult(scene, status)) placeOwnResult(space, scene, status, font);
+  if (hasOwnResult(scene, status)) placeOwnResult(space, panes.front(), status, font);
   space.add(drawn(font, [&](OverlayWriter& writer) { addTitle(writer, scene, font, screen.x); }));
   space.add(drawn(font, [&](OverlayWriter& writer) { addTimes(writer, scene, status); }));
   if (status.vote) {

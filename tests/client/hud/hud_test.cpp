@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include "client/ui/overlay.h"
-#include "tests/client/ui/controls/random_bindings.h"
 #include "tests/client/ui/overlay_contrast.h"
 
 namespace platon::hud_test {
@@ -61,78 +60,6 @@ TEST(EdgeSign, TheArrowPointsThere) {
 }
 
 TEST(EdgeSign, APointStraightBehindIsBelow) { EXPECT_STREQ(edgeSignOf({0, 0, 0, -1}, kScreen, kReach)->arrow, "↓"); }
-
-Overlay helpOf(const Bindings& bindings, const Font& font, bool brief = false,
-               const std::vector<KeyHints>& companions = {}) {
-  OverlayWriter writer(font);
-  addHelp(writer, KeyHints(bindings), companions, brief);
-  return writer.take();
-}
-
-bool shows(const Overlay& overlay, const std::string& content) {
-  return std::any_of(overlay.texts.begin(), overlay.texts.end(),
-                     [&](const Overlay::Text& text) { return text.content == content; });
-}
-
-TEST(KeyHelp, NamesTheKeysThatThePlayerHasChosen) {
-  const Font font;
-  EXPECT_TRUE(shows(helpOf({}, font), "Space"));
-  Bindings bindings;
-  bindings.bind(Control::kJump, Key::kJ);
-  EXPECT_TRUE(shows(helpOf(bindings, font), "J or Space"));
-}
-
-TEST(KeyHelp, NamesTheTriggerOnlyWhereItLetsAnotherPlayerJoin) {
-  const Font font;
-  EXPECT_TRUE(shows(helpOf({}, font), "RT"));
-  Bindings bindings;
-  bindings.bind(Control::kJump, Key::kPadRightTrigger);
-  const Overlay help = helpOf(bindings, font);
-  EXPECT_EQ(std::count_if(help.texts.begin(), help.texts.end(), [](const auto& text) { return text.content == "RT"; }),
-            1)
-      << "it jumps";
-}
-
-TEST(KeyHelp, NamesTheKeysOfWhoSharesTheKeyboard) {
-  const Font font;
-  const KeyHints keyboard{Bindings(KeySet::kSecond)};
-  const KeyHints pad(Bindings(), true);
-  const auto told = [&](const std::vector<KeyHints>& companions) {
-    return shows(helpOf({}, font, false, companions), "run, jump, fall, start: the other player");
-  };
-  EXPECT_FALSE(told({}));
-  EXPECT_FALSE(told({pad})) << "the table has the buttons already";
-  EXPECT_TRUE(told({pad, keyboard}));
-}
-
-TEST(KeyHelp, IsBriefWhereAllKeysHaveNoRoom) {
-  const Font font;
-  Bindings bindings;
-  bindings.bind(Control::kJump, Key::kJ);
-  const Overlay brief = helpOf(bindings, font, true);
-  EXPECT_TRUE(shows(brief, "J"));
-  EXPECT_TRUE(shows(brief, "← →"));
-  EXPECT_TRUE(shows(brief, "pause, settings, leave"));
-  EXPECT_FALSE(shows(brief, "pad A"));
-  EXPECT_LT(brief.panels.front().high.x, helpOf(bindings, font).panels.front().high.x);
-}
-
-TEST(KeyHelp, StaysInsideItsPanelAndTheNarrowestPicture) {
-  const Font font;
-  std::mt19937_64 random(4);
-  for (int i = 0; i < 50; ++i) {
-    Bindings bindings;
-    change(bindings, random, 30);
-    const Overlay help = helpOf(bindings, font);
-    const Overlay::Panel& panel = help.panels.front();
-    EXPECT_GE(panel.low.y, 0);
-    EXPECT_LE(panel.high.x, Overlay::kHeight * 4 / 3);
-    for (const Overlay::Text& text : help.texts) {
-      EXPECT_GE(text.place.x, panel.low.x);
-      EXPECT_LE(text.place.x + font.width(text.content) * text.size, panel.high.x) << text.content;
-    }
-  }
-}
 
 const Font& font() {
   static const Font font;
@@ -372,6 +299,25 @@ TEST(Hud, TheResultsTellEachTimeOnce) {
   const RoundSummary shared{
       .nextTitle = "Edges", .secondsLeft = 5, .bestSeconds = 7.5, .bestName = "Name3", .bestIsNew = true};
   EXPECT_EQ(mentions(hudOf(scene, {.summary = shared, .run = best}), "7.50"), 1);
+}
+
+// On levels 2, 9 and 10 the panel lay over the goal and the ball in it.
+TEST(Hud, TheResultIsBelowABallInTheUpperPartOfThePicture) {
+  Scene scene = sceneOf(1);
+  scene.players.back().local = true;
+  scene.attempt = {7.5, true};
+  const HudStatus status{.summary = RoundSummary{.nextTitle = "Edges", .waits = true},
+                         .medals = MedalTimes{400, 500, 600}};
+  const auto panelWithBallAt = [&](double height) {
+    scene.players.back().pose = scene.stage->mesh.pose(0, {0, height}, 0);
+    const Overlay hud = hudOf(scene, status);
+    const Overlay::Text* const headline = find(hud, "Goal!");
+    EXPECT_NE(headline, nullptr) << height;
+    return headline != nullptr ? headline->place.y : 0;
+  };
+  EXPECT_LT(panelWithBallAt(0), 150);
+  EXPECT_LT(panelWithBallAt(-150), 150);
+  EXPECT_GT(panelWithBallAt(150), Overlay::kHeight / 2);
 }
 
 TEST(Hud, TheResultsLeaveTheMiddleOfThePictureFree) {
