@@ -168,9 +168,10 @@ void LiveMatch::run(double speed) {
 
 // Also an attempt whose time does not count has reached the goal, and any player of this machine reaches it for all.
 void LiveMatch::noteGoal() {
-  if (!alone()) return;
-  for (const std::optional<std::uint32_t>& slot : slots()) {
-    const Game& game = roundOf(client_)->prediction().confirmed();
+  const Round* const round = roundOf(client_);
+  if (!alone() || round == nullptr) return;
+  const Game& game = round->prediction().confirmed();
+  for (const std::optional<std::uint32_t>& slot : round->prediction().slots()) {
     if (slot && *slot < game.slots() && game.player(*slot).arrived != 0)
       return printFault(reached_.add(game.level().hash));
   }
