@@ -4,6 +4,7 @@
 usage: step_test.py PLATON-CLIENT
 """
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -76,7 +77,7 @@ class Step(unittest.TestCase):
     def test_the_end_of_the_input_ends_the_game(self):
         command = [self.client, "--offscreen", "--step", "--width", "480"]
         ended = subprocess.run(command, input="wait 0.5\nwait 0.5", capture_output=True, text=True, timeout=60,
-                               env={"HOME": str(self.folder)})
+                               env=dict(os.environ, HOME=str(self.folder)))
         self.assertEqual((ended.returncode, ended.stdout), (0, "ready\nok 0.52\nok 1.02\n"), ended.stderr)
 
 
