@@ -10,7 +10,7 @@
 
 #include "protocol/files/descriptor.h"
 #include "server/admin/console.h"
-#include "server/net/time_point.h"
+#include "server/base/time_point.h"
 
 namespace platon {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/base/time_point.h"
 #include "server/match/match.h"
-#include "server/net/time_point.h"
 
 namespace platon {
 

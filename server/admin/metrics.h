@@ -12,7 +12,7 @@
 
 #include "protocol/files/descriptor.h"
 #include "protocol/transport/socket_address.h"
-#include "server/net/time_point.h"
+#include "server/base/time_point.h"
 
 namespace platon {
 

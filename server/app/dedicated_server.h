@@ -12,10 +12,11 @@
 #include "server/app/log.h"
 #include "server/app/recording_writer.h"
 #include "server/app/ticks.h"
+#include "server/base/tick_clock.h"
+#include "server/base/time_point.h"
 #include "server/match/level_rotation.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
-#include "server/net/time_point.h"
 #include "server/times/best_times.h"
 
 namespace platon {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "server/net/time_point.h"
+#include "server/base/time_point.h"
 
 namespace platon {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/net/time_point.h"
+#include "server/base/time_point.h"
 
 namespace platon {
 

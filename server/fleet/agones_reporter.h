@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "protocol/work/worker.h"
+#include "server/base/time_point.h"
 #include "server/fleet/agones_call.h"
-#include "server/net/time_point.h"
 
 namespace platon {
 

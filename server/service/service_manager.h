@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "protocol/files/descriptor.h"
-#include "server/net/time_point.h"
+#include "server/base/time_point.h"
 
 namespace platon {
 

@@ -408,7 +408,7 @@ SERVER_FAULTS = [
               "bytes_ + piece.bytes.size() > kQueueBytes", "piece.bytes.size() > kQueueBytes",
               "a stuck disk fills the memory",
               "RecordingWriter.ARoundThatDoesNotFitTheQueueIsDroppedAndTheNextTried"),
-    at_length("stall-made-up-for", APP + "ticks.h",
+    at_length("stall-made-up-for", "server/base/tick_clock.h",
               "      ticks_ += behind - kMaxBehind;\n", "",
               "after a stall the server runs through all that was missed",
               "TickClock.DropsTheTicksOfALongPause"),

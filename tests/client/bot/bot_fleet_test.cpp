@@ -8,7 +8,7 @@
 
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
-#include "server/app/ticks.h"
+#include "server/base/tick_clock.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
 #include "tests/net/support/input_flipper.h"
