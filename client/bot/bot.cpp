@@ -1,4 +1,5 @@
 #include "client/bot/bot.h"
+#include "client/net/enet_link.h"
 
 #include <span>
 
@@ -9,7 +10,7 @@ namespace platon {
 PlayingBot::PlayingBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
                        const LinkQuality& quality, std::uint64_t seed, Time now, Time settle)
     : route_(server, quality, seed),
-      client_(server, {name, knowledge, route_.address()}, now),
+      client_(enetLinks(server, route_.address()), {name, knowledge}, now),
       presser_(seed),
       measure_(now, settle) {}
 
@@ -48,7 +49,7 @@ void HollowBot::update(Time now) {
   connection_.service(now, [this, now](std::span<const std::uint8_t> message) {
     if (session_) session_->receive(message, now);
   });
-  if (!session_ && connection_.state() == Connection::State::kConnected) session_.emplace(name_, now);
+  if (!session_ && connection_.state() == EnetLink::State::kConnected) session_.emplace(name_, now);
   if (session_ && !leaving_) session_->update(now, buttons_);
   if (session_) {
     for (const OutgoingMessage& message : session_->takeOutgoing()) connection_.send(message.bytes, message.reliable);

@@ -8,7 +8,7 @@
 #include "client/bot/button_presser.h"
 #include "client/bot/hollow_session.h"
 #include "client/desync/desync_report.h"
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "client/net/network_conditions.h"
 #include "client/session/network_client.h"
 #include "protocol/time.h"
@@ -64,7 +64,7 @@ class HollowBot : public Bot {
 
   void update(Time now) override;
   void leave() override;
-  bool closed() const override { return connection_.state() == Connection::State::kClosed || ending().has_value(); }
+  bool closed() const override { return connection_.state() == EnetLink::State::kClosed || ending().has_value(); }
   BotResult result() const override;
 
  private:
@@ -72,7 +72,7 @@ class HollowBot : public Bot {
   PredictionStatistics prediction() const;
 
   ServerRoute route_;
-  Connection connection_;
+  EnetLink connection_;
   std::string name_;
   std::optional<HollowSession> session_;  // empty until connected
   ButtonPresser presser_;

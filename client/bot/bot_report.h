@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "client/netcode/link_meter.h"
 #include "client/netcode/prediction.h"
 #include "client/session/round.h"

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
-
-#include "protocol/transport/udp_socket.h"
+#include <utility>
 
 namespace platon {
 
@@ -32,39 +31,37 @@ Time pauseAfter(std::uint32_t answered) {
 
 }  // namespace
 
-NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile, Time now)
-    : server_(server), profile_(profile), state_(Connecting{now}) {
-  const ServerAddress target = profile.relay.value_or(server);
+NetworkClient::NetworkClient(ServerLinks links, const Profile& profile, Time now)
+    : links_(std::move(links)), profile_(profile), state_(Connecting{now}) {
   memory_.token = profile.token ? *profile.token : randomToken();
   memory_.store = profile.levels;
   memory_.observer = profile.observer;
-  resolved_ = resolve(target.host, target.port);
-  connection_.emplace(resolved_, profile_.knowledge);
+  link_ = links_.connect(profile_.knowledge);
 }
 
 void NetworkClient::update(Time now, const Controls& controls) {
   if (const auto* paused = std::get_if<Paused>(&state_); paused != nullptr && now >= paused->until) connect(now);
-  if (!connection_) return;
-  connection_->service(now, [this, now](std::span<const std::uint8_t> message) {
+  if (!link_) return;
+  link_->service(now, [this, now](std::span<const std::uint8_t> message) {
     if (is<InSession>()) session_->receive(message, now);
   });
   if (is<Connecting>()) checkConnecting(now);
   if (is<InSession>()) checkSession(now);
-  if (!connection_ || is<Connecting>()) return;
+  if (!link_ || is<Connecting>()) return;
   if (is<InSession>()) session_->update(now, controls);
   sendOutgoing();
-  connection_->flush(now);
+  link_->flush(now);
 }
 
 void NetworkClient::sendOutgoing() {
-  for (const OutgoingMessage& message : session_->takeOutgoing()) connection_->send(message.bytes, message.reliable);
-  if (is<Leaving>()) connection_->close();
+  for (const OutgoingMessage& message : session_->takeOutgoing()) link_->send(message.bytes, message.reliable);
+  if (is<Leaving>()) link_->close();
 }
 
 void NetworkClient::connect(Time now) {
   state_ = Connecting{now};
   try {
-    connection_.emplace(resolved_, profile_.knowledge);
+    link_ = links_.connect(profile_.knowledge);
   } catch (const std::runtime_error& error) {
     fail({error.what(), false}, now);
   }
@@ -76,14 +73,14 @@ void NetworkClient::startSession(Time now) {
 }
 
 void NetworkClient::checkConnecting(Time now) {
-  if (connection_->identity()) profile_.knowledge.identity = connection_->identity();
-  if (connection_->state() == Connection::State::kConnected) return startSession(now);
-  if (connection_->refused()) {
-    asksPassword_ = connection_->refused()->asksPassword;
-    return fail({server_.text() + ": " + connection_->refused()->reason, connection_->refused()->permanent}, now);
+  if (link_->identity()) profile_.knowledge.identity = link_->identity();
+  if (link_->state() == MessageLink::State::kConnected) return startSession(now);
+  if (link_->refused()) {
+    asksPassword_ = link_->refused()->asksPassword;
+    return fail({links_.server + ": " + link_->refused()->reason, link_->refused()->permanent}, now);
   }
   if (!closed() && now - std::get<Connecting>(state_).since <= kConnectTimeout) return;
-  fail({"no answer from " + server_.text() + " within 5 s: is platon-server running there?", false}, now);
+  fail({"no answer from " + links_.server + " within 5 s: is platon-server running there?", false}, now);
 }
 
 void NetworkClient::checkSession(Time now) {
@@ -91,9 +88,9 @@ void NetworkClient::checkSession(Time now) {
   welcomed_ = welcomed_ || session_->welcome();  // also when the session has ended in the same call
   if (session_->ending()) return fail(*session_->ending(), now);
   if (!session_->welcome() && (closed() || timedOut)) {
-    return fail({"the server at " + server_.text() + " did not respond in time; try again", false}, now);
+    return fail({"the server at " + links_.server + " did not respond in time; try again", false}, now);
   }
-  if (closed()) return fail({"lost the connection to " + server_.text(), false}, now);
+  if (closed()) return fail({"lost the connection to " + links_.server, false}, now);
   if (!hasConfirmedTicks(*session_)) return;
   if (recovery_.outage) ++resumes_;
   recovery_ = Recovery();
@@ -115,10 +112,10 @@ void NetworkClient::fail(const SessionEnding& failure, Time now) {
     if (!recovery_.outage || isRefused()) recovery_.outage = failure.reason;
     ++recovery_.failed;
     const Time pause = pauseAfterFailure();
-    dropConnection();
+    dropLink();
     state_ = Paused{now + pause};
   } else {
-    if (!is<InSession>()) dropConnection();
+    if (!is<InSession>()) dropLink();
     ending_ = failure.reason;
     state_ = Ended();
   }
@@ -126,18 +123,18 @@ void NetworkClient::fail(const SessionEnding& failure, Time now) {
 
 // Whether the server has answered the present attempt to join with a refusal.
 bool NetworkClient::isRefused() const {
-  return is<InSession>() ? session_->ending() && !session_->welcome() : connection_ && connection_->refused();
+  return is<InSession>() ? session_->ending() && !session_->welcome() : link_ && link_->refused();
 }
 
 // No pause after an unanswered attempt, because its timeout is long enough.
 Time NetworkClient::pauseAfterFailure() {
-  const bool unanswered = connection_ && is<Connecting>();
+  const bool unanswered = link_ && is<Connecting>();
   return unanswered ? Time{} : pauseAfter(recovery_.answered++);
 }
 
-void NetworkClient::dropConnection() {
+void NetworkClient::dropLink() {
   pastTraffic_ = traffic();
-  connection_.reset();
+  link_.reset();
 }
 
 std::optional<ServerAddress> NetworkClient::next() const {
@@ -156,13 +153,13 @@ void NetworkClient::toggleVote() {
 
 void NetworkClient::leave() {
   if (is<InSession>()) session_->leave();
-  if (is<Connecting>() || is<Paused>()) dropConnection();
+  if (is<Connecting>() || is<Paused>()) dropLink();
   state_ = Leaving();
 }
 
 std::optional<DesyncReport> NetworkClient::takeDesync() { return session_ ? session_->takeDesync() : std::nullopt; }
 
-Traffic NetworkClient::traffic() const { return connection_ ? pastTraffic_ + connection_->traffic() : pastTraffic_; }
+Traffic NetworkClient::traffic() const { return link_ ? pastTraffic_ + link_->traffic() : pastTraffic_; }
 
 void updateUntilClosed(const Clock& clock, const std::function<void(Time)>& update,
                        const std::function<bool()>& closed) {

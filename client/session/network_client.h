@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "client/net/connection.h"
+#include "client/net/message_link.h"
 #include "client/session/session.h"
 #include "client/time/clock.h"
 #include "protocol/time.h"
@@ -16,17 +16,15 @@
 
 namespace platon {
 
-/// Runs sessions with one server over connections to it. When the connection of an accepted client is lost, reconnects
-/// at once to resume the player, and keeps requesting a connection (`Connection::kRequestInterval`) until the server
-/// answers. If the server answers but does not accept the client, for example because it is full, the pauses between
-/// attempts grow.
+/// Runs sessions with one server over links to it. When the link of an accepted client is lost, reconnects at once to
+/// resume the players, and tries again until the server answers. If the server answers but does not accept the client,
+/// for example because it is full, the pauses between attempts grow.
 class NetworkClient {
  public:
   /// Who joins, and what it knows of the server.
   struct Profile {
     std::string name;
     ServerKnowledge knowledge{};
-    std::optional<ServerAddress> relay{};           ///< through which to connect
     std::optional<SessionToken> token{};            ///< of the players to resume; if not given, a random one
     std::shared_ptr<LevelStore> levels{};           ///< of this server; null: levels are kept in memory only
     std::shared_ptr<ConfirmedObserver> observer{};  ///< follows the confirmed games; null: none
@@ -42,8 +40,8 @@ class NetworkClient {
   /// Attempts to join for the first time, if the server answers connection requests.
   static constexpr std::uint32_t kMaxFirstAttempts = 3;
 
-  /// Starts to connect. Throws SocketError if the host name cannot be resolved or no socket is available.
-  NetworkClient(const ServerAddress& server, const Profile& profile, Time now);
+  /// Starts to connect. Throws as ServerLinks::connect does.
+  NetworkClient(ServerLinks links, const Profile& profile, Time now);
 
   /// Receives, predicts up to `now` and sends. Call every few milliseconds.
   void update(Time now, const Controls& controls);
@@ -62,7 +60,7 @@ class NetworkClient {
   void leave();
 
   /// Whether there is no connection, established or in progress.
-  bool closed() const { return !connection_ || connection_->state() == Connection::State::kClosed; }
+  bool closed() const { return !link_ || link_->state() == MessageLink::State::kClosed; }
   /// Why the match has ended permanently, a sentence for the player; empty until then.
   const std::optional<std::string>& ending() const { return ending_; }
   /// The server where the player can go on after the end, as the server has told; nothing if it has told none.
@@ -98,7 +96,7 @@ class NetworkClient {
   struct Connecting {
     Time since;
   };
-  // session_ runs over connection_.
+  // session_ runs over link_.
   struct InSession {
     Time since;
   };
@@ -129,15 +127,14 @@ class NetworkClient {
   bool isRefused() const;
   void fail(const SessionEnding& failure, Time now);
   Time pauseAfterFailure();
-  void dropConnection();
+  void dropLink();
   void sendOutgoing();
 
-  ServerAddress server_;
-  std::vector<SocketAddress> resolved_;  // of server or relay; looking up a name again could block during an outage
+  ServerLinks links_;
   Profile profile_;
   Session::Memory memory_;  // for the next session
   std::variant<Connecting, InSession, Paused, Ended, Leaving> state_;
-  std::optional<Connection> connection_;
+  std::unique_ptr<MessageLink> link_;
   std::optional<Session> session_;
   Recovery recovery_;
   std::optional<std::string> ending_;

@@ -43,13 +43,6 @@ MatchSettings matchSettings(const ServerSettings& settings) {
   return match;
 }
 
-BestTimeStore bestTimesOf(const std::string& path) {
-  if (path.empty()) return BestTimeStore(utcNow);
-  auto read = readBestTimes(path);
-  if (auto* times = std::get_if<BestTimes>(&read)) return {utcNow, path, std::move(*times)};
-  throw usageError(std::get<std::vector<std::string>>(read));
-}
-
 // The thread of the writer owns the folder: it may outlive the server when the disk does not answer.
 RecordingWriter::Write writeTo(const ServerSettings& settings) {
   return [folder = std::make_shared<RecordingFolder>(settings.recordings, settings.recordLimit)](
@@ -102,6 +95,13 @@ void write(Log& log, const RecordingEvent& event) {
 }
 
 }  // namespace
+
+BestTimeStore bestTimesOf(const std::string& path) {
+  if (path.empty()) return BestTimeStore(utcNow);
+  auto read = readBestTimes(path);
+  if (auto* times = std::get_if<BestTimes>(&read)) return {utcNow, path, std::move(*times)};
+  throw usageError(std::get<std::vector<std::string>>(read));
+}
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 

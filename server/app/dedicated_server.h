@@ -27,6 +27,10 @@ TimePoint steadyNow();
 /// The time of day, in seconds.
 UtcTime utcNow();
 
+/// The best times that a server keeps in this file; without a file they end with it. Throws ProgramError if the file
+/// cannot be read.
+BestTimeStore bestTimesOf(const std::string& path);
+
 struct ServerSettings {
   std::string bind = "::";                                     ///< address to listen on; "::": all
   std::uint16_t port = 0;                                      ///< 0: any that is free

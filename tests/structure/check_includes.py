@@ -16,8 +16,8 @@ MARK = "<!-- table: folders -->\n"
 SHARED = {"exact", "physics", "game"}
 MAY_USE = {"exact": set(), "physics": {"exact"}, "game": {"exact", "physics"}, "protocol": SHARED, "levels": SHARED | {"protocol"},
            "server": SHARED | {"protocol"}, "client": SHARED | {"protocol", "levels", "server"}}  # fmt: skip
-# The server inside the client, the levels and times that it has, and the program, which prepares them.
-EMBEDDED_SERVER = {"embedded_server", "shipped_levels", "main"}
+# The servers inside the client, the levels and times that they have, and the program, which prepares them.
+EMBEDDED_SERVER = {"local_server", "embedded_server", "shipped_levels", "main"}
 
 
 class Plan:

@@ -13,6 +13,8 @@
 
 #include "client/files/user_folders.h"
 #include "client/lobby/shipped_levels.h"
+#include "client/local/local_server.h"
+#include "client/net/enet_link.h"
 #include "protocol/files/file_watch.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -22,13 +24,13 @@
 #include "server/app/dedicated_server.h"
 #include "server/app/identity_file.h"
 #include "server/app/level_files.h"
+#include "server/times/best_times.h"
 
 namespace platon {
 
 namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr const char* kAllAddresses = "::";
 constexpr const char* kStopReason = "the server stops";
 
 // The levels that come with the game; none if they cannot be read.
@@ -72,20 +74,30 @@ Log silentLog() {
   return Log(LogFormat::kText, [](std::string_view) {});
 }
 
+MatchSettings matchSettings(const EmbeddedSettings& wanted) {
+  MatchSettings settings;
+  settings.serverName = "Platon";
+  settings.maxPlayers = wanted.maxPlayers;
+  settings.waitsForOne = wanted.waitsForOne;
+  settings.keepsTimesOfOne = true;
+  return settings;
+}
+
 ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   ServerSettings settings;
   settings.bestTimes = keptBestTimes();
-  settings.bind = wanted.listens ? kAllAddresses : kLoopback;
-  settings.port = wanted.listens ? wanted.port : 0;
+  settings.bind = wanted.bind;
+  settings.port = wanted.port;
   settings.password = wanted.password;
   settings.start = LevelRotation::Start::kFirst;  // the player has chosen it
-  settings.match.serverName = "Platon";
-  settings.match.maxPlayers = wanted.maxPlayers;
-  settings.match.waitsForOne = wanted.waitsForOne;
-  settings.match.keepsTimesOfOne = true;
+  settings.match = matchSettings(wanted);
   Log log = silentLog();
-  if (wanted.listens) settings.identity = loadIdentity("", log);
+  settings.identity = loadIdentity("", log);
   return settings;
+}
+
+std::vector<std::string> filesOf(const EmbeddedSettings& settings) {
+  return settings.levels.empty() ? gameLevelFiles() : settings.levels;
 }
 
 std::function<TimePoint()> nowOf(const std::shared_ptr<const PausableClock>& clock) {
@@ -97,10 +109,8 @@ std::function<TimePoint()> nowOf(const std::shared_ptr<const PausableClock>& clo
 std::string listenFault(const EmbeddedSettings& settings, const SocketError& error) {
   constexpr std::uint16_t kFirstFree = 1024;
   const std::string port = "UDP port " + std::to_string(settings.port);
-  if (settings.listens && error.exitCode() == SocketError::kFailed)
-    return "Another program uses " + port + ": choose another port.";
-  if (settings.listens && settings.port < kFirstFree)
-    return "The game may not use " + port + ": choose a port above 1023.";
+  if (error.exitCode() == SocketError::kFailed) return "Another program uses " + port + ": choose another port.";
+  if (settings.port < kFirstFree) return "The game may not use " + port + ": choose a port above 1023.";
   return error.what();
 }
 
@@ -113,7 +123,67 @@ std::string noticeOf(const std::string& file, const std::string& error) {
   return text;
 }
 
+// Whoever plays the only level while it is made sees each version at once.
+void reload(const std::vector<std::string>& files, Match& match) {
+  try {
+    match.updateLevels(load(files));
+    if (files.size() == 1) match.startNextRound();
+  } catch (const ProgramError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    match.say(noticeOf(files.front(), error.what()));
+  }
+}
+
 }  // namespace
+
+std::unique_ptr<OwnServer> startServer(const EmbeddedSettings& settings,
+                                       const std::shared_ptr<const PausableClock>& clock) {
+  if (settings.listens) return std::make_unique<EmbeddedServer>(settings, clock);
+  return std::make_unique<PrivateServer>(settings, clock);
+}
+
+struct PrivateServer::Running {
+  Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
+          const std::shared_ptr<const PausableClock>& clock)
+      : now(clock),
+        levelFiles(files),
+        bestTimes(bestTimesOf(keptBestTimes())),
+        server(matchSettings(settings), load(files), &bestTimes, clock->now()) {}
+  ~Running() { tell(bestTimes.finish()); }
+
+  static void tell(const std::optional<std::string>& fault) {
+    if (fault) std::fprintf(stderr, "platon-client: best times not written: %s\n", fault->c_str());
+  }
+
+  std::shared_ptr<const PausableClock> now;
+  FileWatch levelFiles;
+  BestTimeStore bestTimes;
+  LocalServer server;
+};
+
+PrivateServer::PrivateServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock)
+    : running_(std::make_unique<Running>(settings, filesOf(settings), clock)) {}
+
+PrivateServer::~PrivateServer() = default;
+
+void PrivateServer::step() {
+  const auto real = std::chrono::steady_clock::now();
+  if (running_->levelFiles.poll(real)) reload(running_->levelFiles.files(), running_->server.match());
+  running_->server.update(running_->now->now());
+  running_->tell(running_->bestTimes.poll(real));
+}
+
+ServerLinks PrivateServer::links() { return running_->server.links(); }
+
+std::size_t PrivateServer::clients() const { return running_->server.match().clients(); }
+
+bool PrivateServer::waits() const { return running_->server.match().waits(); }
+
+void PrivateServer::countTimes(bool count) { running_->server.match().countTimes(count); }
+
+void PrivateServer::keepTimesOf(const SlotsByLocal& slots) { running_->server.match().keepTimesOf(slots); }
+
+void PrivateServer::startNextLevel() { running_->server.match().startNextRound(); }
 
 struct EmbeddedServer::Running {
   Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
@@ -136,7 +206,7 @@ struct EmbeddedServer::Running {
   }
 
   void step() {
-    if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+    if (levelFiles.poll(std::chrono::steady_clock::now())) reload(levelFiles.files(), server.match());
     server.match().countTimes(timesCount);
     {
       const std::lock_guard lock(keptMutex);
@@ -146,17 +216,6 @@ struct EmbeddedServer::Running {
     server.step(now());
     clients = server.match().clients();
     waits = server.match().waits();
-  }
-
-  // Whoever plays the only level while it is made sees each version at once.
-  void reload() {
-    try {
-      server.updateLevels(load(levelFiles.files()));
-      if (levelFiles.files().size() == 1) server.match().startNextRound();
-    } catch (const ProgramError& error) {
-      std::fprintf(stderr, "%s\n", error.what());
-      server.match().say(noticeOf(levelFiles.files().front(), error.what()));
-    }
   }
 
   std::function<TimePoint()> now;
@@ -172,9 +231,10 @@ struct EmbeddedServer::Running {
   std::thread thread;  // last: uses the members above from its start; not joinable: there is none
 };
 
-EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock) {
+EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock)
+    : password_(settings.password) {
   try {
-    running_ = std::make_unique<Running>(settings, settings.levels.empty() ? gameLevelFiles() : settings.levels, clock);
+    running_ = std::make_unique<Running>(settings, filesOf(settings), clock);
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, listenFault(settings, error));
   }
@@ -201,6 +261,10 @@ void EmbeddedServer::keepTimesOf(const SlotsByLocal& slots) {
 
 void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
 
-CryptoKey EmbeddedServer::identity() const { return running_->server.identity().publicKey(); }
+ServerLinks EmbeddedServer::links() { return enetLinks(address()); }
+
+ServerKnowledge EmbeddedServer::knowledge() const { return {running_->server.identity().publicKey(), password_}; }
+
+std::optional<std::uint16_t> EmbeddedServer::port() const { return running_->server.port(); }
 
 }  // namespace platon

@@ -5,6 +5,7 @@
 #include "client/files/server_files.h"
 #include "client/files/user_folders.h"
 #include "client/lobby/near_servers.h"
+#include "client/net/enet_link.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/ui/player_rows.h"
 
@@ -29,10 +30,9 @@ std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options, const MatchCh
   return std::make_shared<RunKeeper>(RunStore(runsFolder(), server), ghostsFolder(), choice.rival);
 }
 
-// The server in this program ends with it, so no token is stored.
-std::filesystem::path sessionFolder(const MatchChoice& choice) {
+std::filesystem::path sessionFolder() {
   const std::filesystem::path folder = dataFolder();
-  return folder.empty() || !choice.server ? std::filesystem::path() : folder / "sessions";
+  return folder.empty() ? std::filesystem::path() : folder / "sessions";
 }
 
 // The server in this program has its levels on this disk already.
@@ -40,11 +40,6 @@ std::shared_ptr<LevelStore> levelStore(const MatchChoice& choice) {
   const std::filesystem::path folder = cacheFolder();
   if (folder.empty() || !choice.server) return nullptr;
   return std::make_shared<LevelCache>(folder / "levels", *choice.server);
-}
-
-ServerKnowledge givenBy(const MatchChoice& choice, const std::optional<CryptoKey>& own) {
-  if (own) return {*own, Password(choice.own.password)};
-  return {choice.key, choice.password};
 }
 
 // Empty if the key of the server is known without the file: a list of servers tells new keys, too.
@@ -101,11 +96,11 @@ void printFault(const std::string& fault) {
 
 }  // namespace
 
-ServerMemory::ServerMemory(const MatchChoice& choice, ServerAddress server, const std::optional<CryptoKey>& own)
-    : server_(std::move(server)),
-      given_(givenBy(choice, own)),
+ServerMemory::ServerMemory(const MatchChoice& choice)
+    : server_(*choice.server),
+      given_{choice.key, choice.password},
       known_(knownServersFile(given_)),
-      session_(sessionFolder(choice), server_) {}
+      session_(sessionFolder(), server_) {}
 
 ServerKnowledge ServerMemory::knowledge() const {
   ServerKnowledge knowledge = given_;
@@ -126,14 +121,13 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
     : choice_(choice),
       clock_(clock),
       time_(std::make_shared<PausableClock>(clock.now)),
-      server_(choice.server ? nullptr : std::make_unique<EmbeddedServer>(ownSettings(options, choice), time_)),
-      memory_(choice, server_ ? server_->address() : *choice.server,
-              server_ ? std::optional(server_->identity()) : std::nullopt),
+      server_(choice.server ? nullptr : startServer(ownSettings(options, choice), time_)),
+      memory_(choice.server ? std::make_optional<ServerMemory>(choice) : std::nullopt),
       demo_(options.demo),
       runs_(runKeeper(options, choice)),
-      client_(memory_.server(),
-              {options.name.empty() ? choice.name : options.name, memory_.knowledge(), std::nullopt, memory_.token(),
-               levelStore(choice), runs_},
+      client_(server_ ? server_->links() : enetLinks(*choice.server),
+              {options.name.empty() ? choice.name : options.name, server_ ? server_->knowledge() : memory_->knowledge(),
+               memory_ ? memory_->token() : std::nullopt, levelStore(choice), runs_},
               now()),
       reached_(reachedFileOf(options)),
       lines_(now()),
@@ -145,13 +139,14 @@ void LiveMatch::update(bool wantsPause, const Controls& controls, double speed) 
   exchange(now(), controls);
   report();
   noteChats();
-  memory_.keep(client_);
+  if (memory_) memory_->keep(client_);
   noteGoal();
 }
 
 void LiveMatch::exchange(Time now, const Controls& controls) {
   if (server_) server_->step();
   client_.update(now, controls);
+  if (server_) server_->step();  // what was pressed is there in time for the next tick
 }
 
 // What counts is told before the time runs slower. What the demonstration reaches is nothing of the user.
@@ -216,7 +211,7 @@ void LiveMatch::leave() {
   time_->setPaused(false);
   time_->setSpeed(1);
   // During an outage the Leave message would not arrive; the saved token can still resume the player.
-  if (!client_.outage()) memory_.forgetToken();
+  if (memory_ && !client_.outage()) memory_->forgetToken();
   client_.leave();
   if (const auto desync = client_.takeDesync()) lines_.add(desyncFolder_.write(*desync), now());
   lines_.tell();
@@ -268,7 +263,7 @@ std::string LiveMatch::message() const {
   if (client_.ending()) return *client_.ending();
   if (client_.outage()) return *client_.outage() + "; reconnecting …";
   if (server_ && roundOf(client_) == nullptr) return "Loading …";
-  if (client_.session() == nullptr) return "connecting to " + memory_.server().text() + " …";
+  if (client_.session() == nullptr) return "connecting to " + choice_.server->text() + " …";
   return roundOf(client_) == nullptr ? "waiting for the level …" : "";
 }
 
@@ -292,10 +287,10 @@ std::vector<std::string> LiveMatch::said(const Settings& settings) const {
 }
 
 std::vector<std::string> LiveMatch::invitation() const {
-  if (!server_ || !choice_.own.listens) return {};
+  if (!server_ || !server_->port()) return {};
   std::string addresses;
   for (const std::string& host : ownAddresses()) {
-    addresses += (addresses.empty() ? "" : " or ") + ServerAddress{host, server_->address().port}.text();
+    addresses += (addresses.empty() ? "" : " or ") + ServerAddress{host, *server_->port()}.text();
   }
   if (addresses.empty()) return {"This machine has no network."};
   return {"Others join at " + addresses};

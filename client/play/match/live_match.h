@@ -109,14 +109,13 @@ class ServerLines {
   Time tellAt_{};
 };
 
-/// What is kept of a server from one match to the next: its key, and the token that resumes the player after a crash of
-/// the program. Of a server in this program nothing is kept.
+/// What is kept of a server elsewhere from one match to the next: its key, and the token that resumes the players after
+/// a crash of the program.
 class ServerMemory {
  public:
-  /// `own`: in this program, with this key.
-  ServerMemory(const MatchChoice& choice, ServerAddress server, const std::optional<CryptoKey>& own);
+  /// `choice.server` is given.
+  explicit ServerMemory(const MatchChoice& choice);
 
-  const ServerAddress& server() const { return server_; }
   /// What a client knows of the server. Throws ProgramError if the file of known servers is damaged.
   ServerKnowledge knowledge() const;
   std::optional<SessionToken> token() const { return session_.token(); }
@@ -142,7 +141,7 @@ class LiveMatch {
   static constexpr Time kNoticeTime = std::chrono::seconds(8);
 
   /// Starts the server, if it is in this program, and starts to connect; resumes the player if the program ended
-  /// without leaving. Throws as EmbeddedServer does, std::runtime_error if the host name cannot be resolved or no
+  /// without leaving. Throws as startServer does, std::runtime_error if the host name cannot be resolved or no
   /// socket is available, and ProgramError if the file of known servers is damaged.
   LiveMatch(const ClientOptions& options, const MatchChoice& choice, const Clock& clock);
 
@@ -195,8 +194,8 @@ class LiveMatch {
   /// What to tell others so that they can join, a paragraph each; empty unless the server in this program listens to
   /// the network.
   std::vector<std::string> invitation() const;
-  /// Of the server in this program, for a client in this program.
-  ServerAddress serverAddress() const { return server_->address(); }
+  /// Of a server in this program that listens, for a client on this machine.
+  ServerAddress serverAddress() const { return {"127.0.0.1", *server_->port()}; }
 
  private:
   // Text of the server's operator.
@@ -216,9 +215,9 @@ class LiveMatch {
   MatchChoice choice_;
   Clock clock_;
   std::shared_ptr<PausableClock> time_;
-  std::unique_ptr<EmbeddedServer> server_;  // null: it is elsewhere
-  ServerMemory memory_;
-  bool demo_;  // the program plays, not the user
+  std::unique_ptr<OwnServer> server_;   // null: it is elsewhere
+  std::optional<ServerMemory> memory_;  // of a server elsewhere
+  bool demo_;                           // the program plays, not the user
   std::shared_ptr<RunKeeper> runs_;
   NetworkClient client_;
   ReachedLevels reached_;

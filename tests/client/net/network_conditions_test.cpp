@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "protocol/transport/udp_socket.h"
 #include "tests/support/wait_until.h"
 

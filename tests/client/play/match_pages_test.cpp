@@ -11,6 +11,7 @@
 #include "client/replay/run_store.h"
 #include "client/time/steady_now.h"
 #include "client/ui/font.h"
+#include "tests/client/play/match/on_loopback.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -48,7 +49,7 @@ TEST(SkipQuestion, AfterTheGoalNothingIsAsked) {
 class MatchPagesTest : public testing::Test {
  protected:
   MatchPagesTest() {
-    choice_.own.levels = {"tests/determinism/golden/levels/hexahedron.level"};
+    choice_.own = onLoopback({"tests/determinism/golden/levels/hexahedron.level"});
     match_.emplace(ClientOptions(), choice_, clock_);
     EXPECT_TRUE(waitUntil([this] {
       match_->update(false, [](const Game&, std::uint32_t) { return Input{}; });

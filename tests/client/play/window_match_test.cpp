@@ -9,6 +9,7 @@
 #include "client/replay/replay.h"
 #include "client/replay/run_list.h"
 #include "client/replay/run_store.h"
+#include "tests/client/play/match/on_loopback.h"
 #include "tests/client/play/window_play_fixture.h"
 #include "tests/support/process.h"
 
@@ -72,7 +73,7 @@ TEST_F(WindowMatchTest, ALevelOfTheListIsPlayedOverAnEdge) {
 
 // Before, "Ghost floor" began without a word.
 TEST_F(WindowMatchTest, ALevelForTwoOfTheListIsHostedAndBeginsAnewWithTheGuest) {
-  const std::string port = std::to_string(EmbeddedServer({{kLevel}}).address().port);  // that is free
+  const std::string port = std::to_string(EmbeddedServer(onLoopback({kLevel})).address().port);  // that is free
   std::optional<LiveMatch> guest;
   const auto guested = [&](bool done) {
     guest->update(false, [](const Game&, std::uint32_t) { return Input{}; });
@@ -105,7 +106,7 @@ TEST_F(WindowMatchTest, ALevelForTwoOfTheListIsHostedAndBeginsAnewWithTheGuest) 
 }
 
 TEST_F(WindowMatchTest, AServerThatStopsLeadsToTheOneThatItNames) {
-  const EmbeddedServer other({{kLevel}});
+  const EmbeddedServer other(onLoopback({kLevel}));
   const std::string next = "127.0.0.1:" + std::to_string(other.address().port);
   Process server(platonCommand("platon-server",
                                {kLevel, "--bind", "127.0.0.1", "--port", "0", "--drain", "600", "--drain-to", next}));
@@ -202,7 +203,7 @@ TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhos
 }
 
 TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
-  const EmbeddedServer server({{kLevel}});
+  const EmbeddedServer server(onLoopback({kLevel}));
   const std::string address = "127.0.0.1:" + std::to_string(server.address().port);
   ClientOptions named;
   named.name = "Grace";
@@ -235,14 +236,19 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
 }
 
 TEST_F(WindowMatchTest, WhoJoinsEndsTheReplayInFrontOfTheGame) {
-  options_.level = kRunLevel;
   keepBestRun();
+  const std::string port = std::to_string(EmbeddedServer(onLoopback({kLevel})).address().port);  // that is free
   std::optional<LiveMatch> grace;
   const auto join = [&] {
     grace.emplace(ClientOptions(), MatchChoice{.server = match()->serverAddress()}, steadyClock());
   };
   const auto update = [&] { grace->update(false, [](const Game&, std::uint32_t) { return Input{}; }); };
-  play({{[] {}, [this] { return inGame() && isOnGround() == std::optional(true); }},
+  play({{[] {}, [this] { return shows("Host a game"); }},
+        {[this] { clickOn("Host a game"); }, [this] { return shows("First level"); }},
+        {[this] { clickOn("Port"); }, [] { return true; }},
+        {[] { xdotool("key BackSpace BackSpace BackSpace BackSpace"); }, [] { return true; }},
+        {[&] { xdotool("type " + port); }, [] { return true; }},
+        {[this] { clickOn("Start"); }, [this] { return inGame() && isOnGround() == std::optional(true); }},
         {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
         {[this] { clickOn("Watch your best run"); }, [this] { return viewer() != nullptr && player().tick() > 10; }},
         {join,

@@ -6,10 +6,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "client/net/enet_link.h"
 #include "client/play/match/embedded_server.h"
 #include "client/time/steady_now.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/net/host.h"
+#include "tests/client/play/match/on_loopback.h"
 
 namespace platon::network_client_test {
 namespace {
@@ -33,7 +35,7 @@ bool updateUntil(NetworkClient& client, Done done) {
 
 TEST(NetworkClient, ReportsThatNoServerAnswers) {
   const Time start = std::chrono::hours(1);
-  NetworkClient client({"127.0.0.1", 1}, {""}, start);
+  NetworkClient client(enetLinks({"127.0.0.1", 1}), {""}, start);
   for (Time now = start; now <= start + NetworkClient::kConnectTimeout; now += milliseconds(50)) {
     client.update(now, kRight);
     ASSERT_EQ(client.ending(), std::nullopt);
@@ -61,7 +63,7 @@ class AnsweredClient : public testing::Test {
 
   Time now_ = steadyClock().now();
   Host host_{std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, now_};
-  NetworkClient client_{{"127.0.0.1", host_.address().port}, {""}, now_};
+  NetworkClient client_{enetLinks({"127.0.0.1", host_.address().port}), {""}, now_};
   std::set<ClientId> greeted_;
 };
 
@@ -105,13 +107,11 @@ TEST_F(AnsweredClient, TellsWhereTheServerSendsIt) {
   EXPECT_EQ(greeted_.size(), 1u);
 }
 
-TEST(NetworkClient, ThrowsForAnUnknownHost) {
-  EXPECT_THROW(NetworkClient({"no such host", 1}, {""}, Time(1)), std::runtime_error);
-}
+TEST(NetworkClient, ThrowsForAnUnknownHost) { EXPECT_THROW(enetLinks({"no such host", 1}), std::runtime_error); }
 
 TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
-  const EmbeddedServer server({{"tests/determinism/golden/levels/hexahedron.level"}});
-  NetworkClient client(server.address(), {"someone"}, steadyClock().now());
+  const EmbeddedServer server(onLoopback({"tests/determinism/golden/levels/hexahedron.level"}));
+  NetworkClient client(enetLinks(server.address()), {"someone"}, steadyClock().now());
   ASSERT_TRUE(updateUntil(client, [&] {
     return client.session() != nullptr && client.session()->predictionStatistics().confirmedTicks > 60;
   })) << client.ending().value_or("timed out");

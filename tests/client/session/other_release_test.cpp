@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "client/net/enet_link.h"
 #include "client/session/network_client.h"
 #include "protocol/limits.h"
 #include "protocol/to_client.h"
@@ -56,7 +57,8 @@ class VersionRelay {
 std::optional<std::string> endingOf(int newer) {
   LoopbackServer server;
   VersionRelay relay(server.address(), newer);
-  NetworkClient client(server.address(), NetworkClient::Profile{"Ann", {}, relay.address()}, server.clock().now());
+  NetworkClient client(enetLinks(server.address(), relay.address()), NetworkClient::Profile{"Ann"},
+                       server.clock().now());
   const auto update = [&](Time now) {
     relay.pump(now);
     client.update(now, [](const Game&, std::uint32_t) { return Input{}; });
@@ -81,7 +83,7 @@ TEST(OtherRelease, OfTheProtocolTheClientSaysWhichProgramToUpdate) {
 // What the server answers to a client that has these rules and shakes hands as every client does.
 std::optional<Refused> answerTo(std::uint32_t rules) {
   LoopbackServer server;
-  Connection connection({serverAt(server.address())}, {});
+  EnetLink connection({serverAt(server.address())}, {});
   std::optional<Refused> refused;
   bool greeted = false;
   const auto update = [&](Time now) {
@@ -89,7 +91,7 @@ std::optional<Refused> answerTo(std::uint32_t rules) {
       const auto message = decodeToClient(bytes);
       if (message && std::holds_alternative<Refused>(*message)) refused = std::get<Refused>(*message);
     });
-    if (!greeted && connection.state() == Connection::State::kConnected) {
+    if (!greeted && connection.state() == EnetLink::State::kConnected) {
       connection.send(encode(Hello{rules, "Ann"}), true);
       greeted = true;
     }

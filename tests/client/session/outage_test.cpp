@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "client/net/enet_link.h"
 #include "client/net/network_conditions.h"
 #include "client/play/match/live_match.h"
 #include "client/session/network_client.h"
@@ -66,7 +67,7 @@ class Outage : public testing::Test {
   // Starts a client behind the relay and lets it play for a second.
   void play() {
     relay_.emplace(address(), delayed(), 1);
-    client_.emplace(address(), NetworkClient::Profile{"Ann", {}, relay_->address()}, now_);
+    client_.emplace(enetLinks(address(), relay_->address()), NetworkClient::Profile{"Ann"}, now_);
     ASSERT_TRUE(runUntil(seconds(3), [this] { return ticks() > 60; }));
   }
 
@@ -198,7 +199,7 @@ TEST_F(Outage, LastsWhileTheServerIsFull) {
   stopServerSilently();
   run(seconds(5));
   startServer(port_, 1);
-  other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
+  other_.emplace(enetLinks(address()), NetworkClient::Profile{"Ben"}, now_);
   relay_->setQuality(fullLoss());
   ASSERT_TRUE(runUntil(seconds(2), [this] { return server_->match().players() == 1; }));
   relay_->setQuality(delayed());
@@ -218,7 +219,7 @@ TEST_F(Outage, AsksAFullServerLessAndLessOften) {
   run(seconds(5));
   startServer(port_, 1);
   relay_->setQuality(fullLoss());
-  other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
+  other_.emplace(enetLinks(address()), NetworkClient::Profile{"Ben"}, now_);
   ASSERT_TRUE(runUntil(seconds(2), [this] { return server_->match().players() == 1; }));
   relay_->setQuality(delayed());
   run(seconds(30));
@@ -284,10 +285,10 @@ TEST_F(Outage, ACrashedClientResumesWithItsToken) {
     const SessionToken token = client_->token();
     client_.reset();  // without Leave
     run(milliseconds(ms));
-    other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
+    other_.emplace(enetLinks(address()), NetworkClient::Profile{"Ben"}, now_);
     run(seconds(1));  // another player joins
     const Time begun = now_;
-    client_.emplace(address(), NetworkClient::Profile{"Ann", {}, std::nullopt, token}, now_);
+    client_.emplace(enetLinks(address()), NetworkClient::Profile{"Ann", {}, token}, now_);
     EXPECT_EQ(client_->token(), token);
     ASSERT_TRUE(runUntil(kMaxResumeTime, [this] { return client_->session() != nullptr && ticks() > 0; }));
     std::printf("after %lld ms\n", static_cast<long long>((now_ - begun) / milliseconds(1)));
@@ -305,7 +306,7 @@ TEST_F(Outage, ACrashedClientResumesWithItsToken) {
 
 TEST_F(Outage, EveryClientGetsItsOwnRandomToken) {
   play();
-  other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
+  other_.emplace(enetLinks(address()), NetworkClient::Profile{"Ben"}, now_);
   EXPECT_NE(other_->token(), client_->token());
 }
 

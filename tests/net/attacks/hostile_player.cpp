@@ -14,14 +14,14 @@ Bytes encodeAny(const ToServer& message) {
 
 void HostilePlayer::step(Time now) {
   const bool ended =
-      connection_ && (connection_->state() == Connection::State::kClosed || (session_ && session_->ending()));
+      connection_ && (connection_->state() == EnetLink::State::kClosed || (session_ && session_->ending()));
   const bool tooOld = connection_ && now - since_ >= manners_.life;
   if (!connection_ || tooOld || (ended && now - since_ >= kPause)) begin(now);
   const bool deaf = manners_.deafAfter && session_ && now - since_ >= *manners_.deafAfter;
   if (!deaf) {
     connection_->service(now, [&](std::span<const std::uint8_t> message) { receive(message, now); });
   }
-  if (!session_ && connection_->state() == Connection::State::kConnected) session_.emplace(name_, now);
+  if (!session_ && connection_->state() == EnetLink::State::kConnected) session_.emplace(name_, now);
   if (session_) play(now);
   connection_->flush(now);
 }

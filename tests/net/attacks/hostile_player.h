@@ -6,7 +6,7 @@
 
 #include "client/bot/button_presser.h"
 #include "client/bot/hollow_session.h"
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "protocol/to_server.h"
 #include "tests/net/attacks/flood.h"
 
@@ -14,11 +14,11 @@ namespace platon {
 
 /// What a hostile player does differently.
 struct Manners {
-  std::function<void(ToServer&, AttackNetwork&, Dice&)> tamper;   ///< changes a message before it is sent
-  std::function<void(Connection&, const Welcome&, Dice&)> extra;  ///< sends more; every 10 ms
-  Time life = std::chrono::hours(1);                              ///< then it vanishes and joins again
-  std::optional<Time> deafAfter{};                                ///< from then on it reads and acknowledges nothing
-  bool leaves = false;                                            ///< says so before it vanishes
+  std::function<void(ToServer&, AttackNetwork&, Dice&)> tamper;  ///< changes a message before it is sent
+  std::function<void(EnetLink&, const Welcome&, Dice&)> extra;   ///< sends more; every 10 ms
+  Time life = std::chrono::hours(1);                             ///< then it vanishes and joins again
+  std::optional<Time> deafAfter{};                               ///< from then on it reads and acknowledges nothing
+  bool leaves = false;                                           ///< says so before it vanishes
 };
 
 /// A client that joins and plays like ours, but with other manners. When its connection ends, it joins again.
@@ -41,7 +41,7 @@ class HostilePlayer {
   ButtonPresser presser_;
   std::string name_;
   Dice dice_;
-  std::optional<Connection> connection_;
+  std::optional<EnetLink> connection_;
   std::optional<HollowSession> session_;  // once connected
   std::optional<Welcome> welcome_;
   Time since_{};

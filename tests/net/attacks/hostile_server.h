@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "client/session/session.h"
 #include "server/net/host.h"
 #include "tests/net/attacks/buffered_socket.h"
@@ -41,7 +41,7 @@ class HostileServer {
   std::uint32_t call() const { return calls_; }
 
   const Session& session() const { return *session_; }
-  bool isConnected() const { return client_.state() == Connection::State::kConnected; }
+  bool isConnected() const { return client_.state() == EnetLink::State::kConnected; }
   /// Most memory that the client had more than before the attack, bytes.
   std::int64_t heapGrowth() const { return highest_; }
 
@@ -55,7 +55,7 @@ class HostileServer {
   Time now_ = std::chrono::seconds(1000);
   Host host_;
   BufferedSocket* clientSocket_;  // client_ owns it
-  Connection client_;
+  EnetLink client_;
   Controls controls_ = pressing(1);
   std::optional<Session> session_;  // once connected
   std::optional<ClientId> joined_;

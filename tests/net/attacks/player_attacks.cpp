@@ -258,7 +258,7 @@ void moveInputs(ToServer& message, AttackNetwork&, Dice& dice) {
   if (dice.below(4) == 0) inputs->inputs.assign(kMaxInputsPerMessage, Input{Input::kPresent | Input::kJump});
 }
 
-void sendManyInputs(Connection& connection, const Welcome& welcome, Dice& dice) {
+void sendManyInputs(EnetLink& connection, const Welcome& welcome, Dice& dice) {
   PlayerInputs inputs;
   inputs.round = welcome.round;
   inputs.confirmed = static_cast<std::uint32_t>(dice.below(1 << 20));
@@ -267,12 +267,12 @@ void sendManyInputs(Connection& connection, const Welcome& welcome, Dice& dice) 
   connection.send(encode(inputs), false);
 }
 
-void requestLevel(Connection& connection, const Welcome& welcome, Dice& dice) {
+void requestLevel(EnetLink& connection, const Welcome& welcome, Dice& dice) {
   connection.send(encode(LevelRequest{welcome.levelHash + (dice.below(2) == 0 ? 0 : 1)}), true);
 }
 
 // As many as fit the budget of a connection, most of them for the present round.
-void voteOften(Connection& connection, const Welcome& welcome, Dice& dice) {
+void voteOften(EnetLink& connection, const Welcome& welcome, Dice& dice) {
   for (int i = 0; i < 4; ++i) {
     const auto other = static_cast<std::uint32_t>(dice.below(8) == 0 ? dice.below(1 << 20) : 0);
     connection.send(encode(Vote{welcome.round + other, dice.below(2) == 0}), true);
@@ -280,7 +280,7 @@ void voteOften(Connection& connection, const Welcome& welcome, Dice& dice) {
 }
 
 // As much as fits the budget of a connection: emotes, and the longest texts.
-void talk(Connection& connection, const Welcome&, Dice& dice) {
+void talk(EnetLink& connection, const Welcome&, Dice& dice) {
   for (int i = 0; i < 4; ++i) {
     const bool emote = dice.below(4) == 0;
     connection.send(encode(LocalChat{0, emote ? Chat{"", 1} : Chat{std::string(kMaxChatBytes, 'x'), 0}}), true);
@@ -288,7 +288,7 @@ void talk(Connection& connection, const Welcome&, Dice& dice) {
 }
 
 // As many as fit the budget of a connection; some for players that there cannot be.
-void changeCompanion(Connection& connection, const Welcome&, Dice& dice) {
+void changeCompanion(EnetLink& connection, const Welcome&, Dice& dice) {
   for (int i = 0; i < 4; ++i) {
     Companion companion{1 + static_cast<std::uint32_t>(dice.below(dice.below(8) == 0 ? 255 : 3)), dice.below(3) != 0};
     if (companion.joins) companion.name = std::string(kMaxNameBytes - 8, 'x') + std::to_string(dice.below(1 << 20));
@@ -367,7 +367,7 @@ std::unique_ptr<Attacker> changeCompanions(AttackNetwork& network) {
 
 std::unique_ptr<Attacker> sendMalformed(AttackNetwork& network) {
   Manners manners;
-  manners.extra = [](Connection& connection, const Welcome&, Dice& dice) {
+  manners.extra = [](EnetLink& connection, const Welcome&, Dice& dice) {
     connection.send(dice.bytes(1 + static_cast<std::size_t>(dice.below(1000))), dice.below(2) == 0);
   };
   return attackOf(network, manners, kPlayers);

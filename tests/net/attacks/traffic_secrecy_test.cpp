@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "server/net/host.h"
@@ -43,8 +43,8 @@ class TrafficSecrecyTest : public testing::Test {
   }
 
   void connect() {
-    for (int i = 0; i < 1000 && client_.state() != Connection::State::kConnected; ++i) step();
-    ASSERT_EQ(client_.state(), Connection::State::kConnected);
+    for (int i = 0; i < 1000 && client_.state() != EnetLink::State::kConnected; ++i) step();
+    ASSERT_EQ(client_.state(), EnetLink::State::kConnected);
   }
 
   void say(const Bytes& message, bool reliable) {
@@ -78,7 +78,7 @@ class TrafficSecrecyTest : public testing::Test {
   DatagramNetwork network_;
   Time now_ = std::chrono::seconds(1000);
   Host host_{network_.socket(kServer), ServerIdentity::random(), {}, now_};
-  Connection client_{network_.socket(kClient), {kServer}, {}};
+  EnetLink client_{network_.socket(kClient), {kServer}, {}};
   std::vector<Bytes> heard_;
   int received_ = 0;
 };
@@ -139,12 +139,12 @@ TEST_F(TrafficSecrecyTest, EqualMessagesGiveDifferentDatagrams) {
 // Whoever reads the wire cannot tell with which secret key the server or the client began.
 TEST_F(TrafficSecrecyTest, EveryHandshakeHasItsOwnKeys) {
   connect();
-  Connection second{network_.socket(addressAt("192.0.2.2", 4000)), {kServer}, {}};
+  EnetLink second{network_.socket(addressAt("192.0.2.2", 4000)), {kServer}, {}};
   for (int i = 0; i < 100; ++i) {
     step();
     second.service(now_, [](std::span<const std::uint8_t>) {});
   }
-  ASSERT_EQ(second.state(), Connection::State::kConnected);
+  ASSERT_EQ(second.state(), EnetLink::State::kConnected);
   std::set<Bytes> exchanges;
   for (const DatagramNetwork::Sent& sent : network_.sent()) {
     const auto accept = decodeAccept(sent.bytes);

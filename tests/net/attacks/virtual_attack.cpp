@@ -3,7 +3,7 @@
 #include <deque>
 #include <set>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "client/session/session.h"
 #include "client/time/steady_now.h"
 #include "tests/net/support/pressing.h"
@@ -87,7 +87,7 @@ class HonestPlayer {
     connection_.service(now, [&](std::span<const std::uint8_t> message) {
       if (session_) session_->receive(message, now);
     });
-    if (!session_ && connection_.state() == Connection::State::kConnected) {
+    if (!session_ && connection_.state() == EnetLink::State::kConnected) {
       session_.emplace(name_, now, memory());
     }
     if (!session_) return;
@@ -102,7 +102,7 @@ class HonestPlayer {
     return session_ && session_->round() != nullptr && session_->round()->prediction().present();
   }
   bool hasEnded() const {
-    return connection_.state() == Connection::State::kClosed || (session_ && session_->ending().has_value());
+    return connection_.state() == EnetLink::State::kClosed || (session_ && session_->ending().has_value());
   }
   std::uint32_t desyncs() const { return session_ ? session_->roundStatistics().desyncs : 0; }
 
@@ -114,7 +114,7 @@ class HonestPlayer {
     return memory;
   }
 
-  Connection connection_;
+  EnetLink connection_;
   std::string name_;
   Controls controls_;
   std::optional<Session> session_;  // once connected

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "client/net/enet_link.h"
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/transport/server_address.h"
@@ -21,7 +22,7 @@ namespace {
 class Voter {
  public:
   Voter(const std::string& address, const std::string& name)
-      : client_(parseServerAddress(address), {name, {}, std::nullopt, std::nullopt}, now()) {}
+      : client_(enetLinks(parseServerAddress(address)), {name}, now()) {}
 
   void update() {
     client_.update(now(), [](const Game&, std::uint32_t) { return Input{}; });

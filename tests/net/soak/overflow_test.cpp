@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "server/net/host.h"
 #include "tests/net/support/datagram_network.h"
 
@@ -71,13 +71,13 @@ class OverflowTest : public testing::Test {
   DatagramNetwork network_;
   Time now_ = kOverflow - std::chrono::seconds(100);
   Host host_{network_.socket(kServer), ServerIdentity::random(), {}, now_};
-  Connection client_{network_.socket(kClient), {kServer}, {}};
+  EnetLink client_{network_.socket(kClient), {kServer}, {}};
   std::optional<ClientId> joined_;
   Inbox atServer_, atClient_;
 };
 
 TEST_F(OverflowTest, EveryMessageArrivesOnceAndInOrder) {
-  for (int i = 0; i < 100 && client_.state() != Connection::State::kConnected; ++i) step();
+  for (int i = 0; i < 100 && client_.state() != EnetLink::State::kConnected; ++i) step();
   client_.send(messageOf(0), true);
   for (int i = 0; i < 100 && !joined_; ++i) step();
   ASSERT_TRUE(joined_);

@@ -70,7 +70,7 @@ void SoakBot::exchange(Time now) {
   connection_->service(now, [&](std::span<const std::uint8_t> message) {
     if (client_) client_->receive(message, now);
   });
-  if (!client_ && connection_->state() == Connection::State::kConnected) startSession(now);
+  if (!client_ && connection_->state() == EnetLink::State::kConnected) startSession(now);
   if (client_) {
     if (!leaving_) client_->update(now);
     for (const OutgoingMessage& message : client_->takeOutgoing()) send(message);
@@ -104,7 +104,7 @@ void SoakBot::noteJoined() {
 }
 
 void SoakBot::checkSession(Time now) {
-  const bool isClosed = connection_->state() == Connection::State::kClosed;
+  const bool isClosed = connection_->state() == EnetLink::State::kClosed;
   const bool isLate = now - since_ > (leaving_ ? kFarewellTime : kJoinTime);
   if (leaving_) {
     if (isLate && kind_.loss == 0) fault("it could not leave in time");

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "client/session/session.h"
 #include "tests/net/soak/input_check.h"
 #include "tests/net/soak/soak_client.h"
@@ -100,7 +100,7 @@ class SoakBot {
   std::mt19937_64 random_;
   SoakMemory memory_;
   std::uint16_t connections_ = 0;  // so far
-  std::optional<Connection> connection_;
+  std::optional<EnetLink> connection_;
   std::unique_ptr<SoakClient> client_;  // of connection_, once it is connected
   InputCheck inputs_;                   // of client_
   bool leaving_ = false;

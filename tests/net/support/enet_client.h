@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "tests/net/support/fake_client.h"
 
 namespace platon {
@@ -21,12 +21,12 @@ class EnetClient {
   void sendRaw(const std::vector<std::uint8_t>& bytes, bool reliable);
 
   FakeClient& fake() { return *client_; }
-  bool connected() const { return connection_.state() == Connection::State::kConnected; }
+  bool connected() const { return connection_.state() == EnetLink::State::kConnected; }
   /// Whether the server closed the connection.
-  bool disconnected() const { return connection_.state() == Connection::State::kClosed; }
+  bool disconnected() const { return connection_.state() == EnetLink::State::kClosed; }
 
  private:
-  Connection connection_;
+  EnetLink connection_;
   std::optional<FakeClient> client_;
 };
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "server/app/dedicated_server.h"
 #include "tests/net/support/datagram_network.h"
 #include "tests/net/support/fake_client.h"
@@ -46,7 +46,7 @@ class CompanionTraffic : public testing::Test {
     connection_.service(now, [&](std::span<const std::uint8_t> bytes) {
       client_->receive({bytes.begin(), bytes.end()}, now);
     });
-    if (connection_.state() != Connection::State::kConnected) return;
+    if (connection_.state() != EnetLink::State::kConnected) return;
     client_->update(now);
     for (const OutgoingMessage& message : client_->takeOutgoing()) connection_.send(message.bytes, message.reliable);
     connection_.flush(now);
@@ -62,7 +62,7 @@ class CompanionTraffic : public testing::Test {
   DedicatedServer server_{
       network_.socket(kServer), {}, {levelOf(farGoalText())}, {LogFormat::kText, [](std::string_view) {}}};
   TimePoint now_{std::chrono::hours(1)};
-  Connection connection_{network_.socket(kOwn), {kServer}, {}};
+  EnetLink connection_{network_.socket(kOwn), {kServer}, {}};
   std::optional<FakeClient> client_;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "protocol/transport/client_gate.h"
 #include "tests/net/support/datagram_network.h"
 #include "tests/net/support/enet_client.h"
@@ -316,9 +316,9 @@ TEST_F(BannedAddressTest, AForgedAddressIsNotLogged) {
 
 TEST_F(BannedAddressTest, AConnectionFromBeforeTheBanCannotJoin) {
   bans_ = BanList();
-  Connection client(network_.socket(addressAt("192.0.2.7", 4000)), {kServer}, {});
+  EnetLink client(network_.socket(addressAt("192.0.2.7", 4000)), {kServer}, {});
   std::vector<ToClient> received;
-  const auto run = [&](Connection::State state) {
+  const auto run = [&](EnetLink::State state) {
     for (int ms = 0; ms < 20000 && client.state() != state; ++ms) {
       now_ += 1ms;
       server_.step(now_);
@@ -328,10 +328,10 @@ TEST_F(BannedAddressTest, AConnectionFromBeforeTheBanCannotJoin) {
     }
     return client.state() == state;
   };
-  ASSERT_TRUE(run(Connection::State::kConnected));
+  ASSERT_TRUE(run(EnetLink::State::kConnected));
   bans_ = std::get<BanList>(BanList::parse("192.0.2.7 too loud\n"));
   client.send(encode(Hello{}), true);
-  EXPECT_TRUE(run(Connection::State::kClosed));
+  EXPECT_TRUE(run(EnetLink::State::kClosed));
   const Refused expected{RefusalCode::kOther, "you are banned from this server: too loud"};
   EXPECT_EQ(received, std::vector<ToClient>{expected});
   EXPECT_TRUE(server_.match().idle());

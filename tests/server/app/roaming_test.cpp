@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "server/app/dedicated_server.h"
 #include "tests/net/support/datagram_network.h"
 #include "tests/support/test_levels.h"
@@ -30,7 +30,7 @@ class Roamer {
       if (const auto* refused = std::get_if<Refused>(&*message)) refusal_ = refused->reason;
     });
     if (connection_.refused()) refusal_ = connection_.refused()->reason;
-    if (connection_.state() != Connection::State::kConnected) return;
+    if (connection_.state() != EnetLink::State::kConnected) return;
     Hello hello;
     hello.token = SessionToken{token_};
     if (!std::exchange(greeted_, true)) connection_.send(encode(hello), true);
@@ -62,7 +62,7 @@ class Roamer {
       : socket_(socket.get()), connection_(std::move(socket), {server}, {}), token_(token) {}
 
   Socket* socket_;  // connection_ owns it
-  Connection connection_;
+  EnetLink connection_;
   std::uint8_t token_;
   bool greeted_ = false;
   bool playing_ = false;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 #include "server/net/host.h"
 #include "tests/net/support/datagram_network.h"
 #include "tests/net/support/raw_content.h"
@@ -41,7 +41,7 @@ class HostTest : public testing::Test {
 
   // Connects the client and sends a message, so that its number becomes known.
   ClientId connect() {
-    EXPECT_TRUE(run([this] { return client_.state() == Connection::State::kConnected; }));
+    EXPECT_TRUE(run([this] { return client_.state() == EnetLink::State::kConnected; }));
     client_.send(Bytes{1, 2, 3}, true);
     EXPECT_TRUE(run([this] { return !events_.empty(); }));
     return events_.at(0).client;
@@ -57,7 +57,7 @@ class HostTest : public testing::Test {
   Time now_ = std::chrono::seconds(1000);
   ServerIdentity identity_ = ServerIdentity::random();
   Host host_{network_.socket(kServer), identity_, settings(), now_};
-  Connection client_{network_.socket(kClient), {kServer}, {}};
+  EnetLink client_{network_.socket(kClient), {kServer}, {}};
   HostileClient eve_{network_, kEve, kServer};
   std::vector<HostEvent> events_;  // without their bytes
   std::vector<Bytes> messages_;    // of these

@@ -41,7 +41,7 @@ TEST_F(HostTest, ReportsThatAClientHasDisconnected) {
   const ClientId client = connect();
   host_.close(client, now_);
   EXPECT_FALSE(host_.isOpen(client));
-  EXPECT_TRUE(run([this] { return client_.state() == Connection::State::kClosed && host_.empty(); }));
+  EXPECT_TRUE(run([this] { return client_.state() == EnetLink::State::kClosed && host_.empty(); }));
   ASSERT_EQ(events_.size(), 2u);
   EXPECT_TRUE(events_[1].disconnected);
   EXPECT_EQ(events_[1].client, client);

@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "client/net/enet_link.h"
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
+#include "tests/client/play/match/on_loopback.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -22,7 +24,7 @@ constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level
 
 bool connects(const ServerAddress& address) {
   const Clock clock = steadyClock();
-  NetworkClient client(address, {"someone"}, clock.now());
+  NetworkClient client(enetLinks(address), {"someone"}, clock.now());
   const Time end = clock.now() + std::chrono::seconds(60);
   for (Time now = clock.now(); now < end && !client.welcomed() && !client.ending(); now = clock.now()) {
     client.update(now, [](const Game&, std::uint32_t) { return Input{}; });
@@ -34,7 +36,7 @@ bool connects(const ServerAddress& address) {
 // The exit code and the message of the error.
 std::pair<int, std::string> errorOf(const std::string& levelFile) {
   try {
-    const EmbeddedServer server({{levelFile}});
+    const EmbeddedServer server(onLoopback({levelFile}));
     return {0, ""};
   } catch (const ProgramError& error) {
     return {error.exitCode(), error.what()};
@@ -42,7 +44,7 @@ std::pair<int, std::string> errorOf(const std::string& levelFile) {
 }
 
 TEST(EmbeddedServer, AcceptsAClientOnLoopback) {
-  const EmbeddedServer server({{kLevel}});
+  const EmbeddedServer server(onLoopback({kLevel}));
   EXPECT_EQ(server.address().host, "127.0.0.1");
   EXPECT_NE(server.address().port, 0);
   EXPECT_TRUE(connects(server.address()));
@@ -52,8 +54,10 @@ TEST(EmbeddedServer, AcceptsAClientOnLoopback) {
 TEST(EmbeddedServer, AServerThatIsSteppedGoesByItsCallerAlone) {
   Time now = std::chrono::seconds(1000);
   const auto clock = std::make_shared<PausableClock>([&now] { return now; });
-  EmbeddedServer server({.levels = {kLevel}, .stepped = true}, clock);
-  NetworkClient client(server.address(), {"someone"}, now);
+  EmbeddedSettings settings = onLoopback({kLevel});
+  settings.stepped = true;
+  EmbeddedServer server(settings, clock);
+  NetworkClient client(enetLinks(server.address()), {"someone"}, now);
   const auto update = [&](int times, bool steps) {
     for (int i = 0; i < times; ++i) {
       now += std::chrono::microseconds(16'667);
@@ -72,13 +76,13 @@ TEST(EmbeddedServer, AServerThatIsSteppedGoesByItsCallerAlone) {
 }
 
 TEST(EmbeddedServer, WithoutALevelFileItPlaysTheShippedLevels) {
-  const EmbeddedServer server({});
+  const EmbeddedServer server(onLoopback({}));
   EXPECT_TRUE(connects(server.address()));
 }
 
 TEST(EmbeddedServer, EachServerHasAPortOfItsOwn) {
-  const EmbeddedServer first({{kLevel}});
-  const EmbeddedServer second({{kLevel}});
+  const EmbeddedServer first(onLoopback({kLevel}));
+  const EmbeddedServer second(onLoopback({kLevel}));
   EXPECT_NE(first.address().port, second.address().port);
 }
 
@@ -86,7 +90,7 @@ TEST(EmbeddedServer, EachServerHasAPortOfItsOwn) {
 TEST(EmbeddedServer, APortThatIsTakenIsToldInTheWordsOfThePage) {
   const TemporaryFolder folder;
   const EnvironmentVariable data("XDG_DATA_HOME", folder.path().string());
-  EmbeddedSettings settings{.levels = {kLevel}, .listens = true, .port = 0};
+  EmbeddedSettings settings = onLoopback({kLevel});
   const EmbeddedServer first(settings);
   settings.port = first.address().port;
   try {
@@ -116,7 +120,8 @@ TEST(EmbeddedServer, AnInvalidLevelIsALevelError) {
 // A client that plays on the server.
 class Guest {
  public:
-  explicit Guest(const ServerAddress& address) : clock_(steadyClock()), client_(address, {"someone"}, clock_.now()) {}
+  explicit Guest(const ServerAddress& address)
+      : clock_(steadyClock()), client_(enetLinks(address), {"someone"}, clock_.now()) {}
 
   template <class Condition>
   bool playUntil(Condition&& condition) {
@@ -144,7 +149,7 @@ TEST(EmbeddedServer, PlaysTheLevelAnewWhenItsFileChanges) {
     };
   };
   writeText(file, "# title: first\n" + nearGoalText());
-  const EmbeddedServer server({{file}});
+  const EmbeddedServer server(onLoopback({file}));
   Guest guest(server.address());
   ASSERT_TRUE(guest.playUntil(plays("first")));
   writeText(file, "# title: broken\nCUBE\n");
@@ -159,7 +164,7 @@ TEST(EmbeddedServer, PlaysTheChosenLevelAlsoIfItIsForTwo) {
   const std::vector<std::string> files{folder / "pair.level", folder / "alone.level"};
   writeText(files[0], "# title: pair\n# players: 2\n" + nearGoalText());
   writeText(files[1], "# title: alone\n" + nearGoalText());
-  const EmbeddedServer server({files});
+  const EmbeddedServer server(onLoopback(files));
   Guest guest(server.address());
   std::string title;
   ASSERT_TRUE(guest.playUntil([&](const NetworkClient& client) {
@@ -183,7 +188,7 @@ TEST(EmbeddedServer, CountsItsPlayersAndStartsTheNextLevelWhenAsked) {
       return round && round->prediction().predicted().level().title == title;
     };
   };
-  EmbeddedServer server({files});
+  EmbeddedServer server(onLoopback(files));
   EXPECT_EQ(server.clients(), 0U);
   Guest guest(server.address());
   ASSERT_TRUE(guest.playUntil(plays("first")));

@@ -18,6 +18,7 @@
 #include "client/files/server_files.h"
 #include "client/files/user_folders.h"
 #include "client/hud/hud.h"
+#include "client/net/enet_link.h"
 #include "client/net/network_conditions.h"
 #include "client/replay/run_store.h"
 #include "client/scene/camera.h"
@@ -26,6 +27,7 @@
 #include "server/admin/console.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
+#include "tests/client/play/match/on_loopback.h"
 #include "tests/net/support/loopback_server.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
@@ -48,6 +50,12 @@ class LiveMatchTest : public testing::Test {
   static MatchChoice ownLevel() {
     MatchChoice choice;
     choice.own.levels = {kLevel};
+    return choice;
+  }
+  // Others on this machine can join it.
+  static MatchChoice openLevel() {
+    MatchChoice choice;
+    choice.own = onLoopback({kLevel});
     return choice;
   }
 
@@ -107,7 +115,7 @@ TEST_F(LiveMatchTest, NoTickPassesWhileAPlayerWhoIsAlonePauses) {
 }
 
 TEST_F(LiveMatchTest, WithAnotherPlayerTheGameGoesOn) {
-  LiveMatch match(ClientOptions(), ownLevel(), clock_);
+  LiveMatch match(ClientOptions(), openLevel(), clock_);
   ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10; }));
   MatchChoice guest;
   guest.server = match.serverAddress();
@@ -139,7 +147,7 @@ TEST_F(LiveMatchTest, ThePlayerHasTheNameOfTheChoiceUnlessTheOptionsNameOne) {
 }
 
 TEST_F(LiveMatchTest, ARoundOfAPlayerWhoIsAloneHasNoTimeLimit) {
-  MatchChoice choice = ownLevel();
+  MatchChoice choice = openLevel();
   choice.own.waitsForOne = true;
   LiveMatch match(ClientOptions(), choice, clock_);
   ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10 && match.waits(); }));
@@ -175,7 +183,7 @@ TEST_F(LiveMatchTest, AskingTwiceForTheNextLevelSkipsNone) {
 }
 
 TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
-  LiveMatch match(ClientOptions(), ownLevel(), clock_);
+  LiveMatch match(ClientOptions(), openLevel(), clock_);
   ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10 && match.alone(); }));
   EXPECT_EQ(match.leastSpeed(), 1);
   ASSERT_TRUE(updateUntil(
@@ -244,9 +252,7 @@ TEST_F(LiveMatchTest, AGoalReachedAtHalfSpeedIsRememberedWithoutATime) {
 TEST_F(LiveMatchTest, OnlyAServerThatListensHasAnInvitation) {
   LiveMatch match(ClientOptions(), ownLevel(), clock_);
   EXPECT_TRUE(match.invitation().empty());
-  MatchChoice hosted = ownLevel();
-  hosted.own.listens = true;
-  hosted.own.port = 0;
+  MatchChoice hosted = openLevel();
   hosted.own.password = "secret";
   LiveMatch open(ClientOptions(), hosted, clock_);
   ASSERT_EQ(open.invitation().size(), 1U);
@@ -543,7 +549,7 @@ std::map<std::uint32_t, std::uint64_t> hashesOf(bool pauses, double speed = 1) {
   settings.bind = "127.0.0.1";
   clock.setSpeed(speed);
   DedicatedServer server(settings, loadLevelFiles({kLevel}).levels, Log(LogFormat::kText, [](std::string_view) {}));
-  NetworkClient client({"127.0.0.1", server.port()}, {"Ann"}, clock.now());
+  NetworkClient client(enetLinks({"127.0.0.1", server.port()}), {"Ann"}, clock.now());
   std::map<std::uint32_t, std::uint64_t> hashes;
   for (int step = 0; hashes.empty() || hashes.rbegin()->first < 600; ++step) {
     clock.setPaused(pauses && step % 1850 >= 350);

@@ -1,3 +1,4 @@
+#include "client/net/enet_link.h"
 #include "client/play/match/session_feeds.h"
 
 #include <chrono>
@@ -13,7 +14,7 @@ using std::chrono::seconds;
 
 TEST(NetMeter, SamplesARunningClient) {
   LoopbackServer server;
-  NetworkClient client(server.address(), {""}, server.clock().now());
+  NetworkClient client(enetLinks(server.address()), {""}, server.clock().now());
   NetMeter meter;
   NetSample sample;
   Time last{};

@@ -1,4 +1,4 @@
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "server/net/host.h"
 #include "tests/net/support/datagram_network.h"
 
-namespace platon::connection_test {
+namespace platon::enet_link_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -20,16 +20,16 @@ const SocketAddress kServer = addressAt("198.51.100.1", 7777);
 const SocketAddress kClient = addressAt("192.0.2.1", 4000);
 
 /// A client's connection and the server's host, in memory and in virtual time.
-class ConnectionTest : public testing::Test {
+class EnetLinkTest : public testing::Test {
  protected:
   // One millisecond of both sides.
   void step() {
     now_ += milliseconds(1);
     stepServer();
-    connection_.service(now_, [this](std::span<const std::uint8_t> message) {
+    link_.service(now_, [this](std::span<const std::uint8_t> message) {
       received_.emplace_back(message.begin(), message.end());
     });
-    connection_.flush(now_);
+    link_.flush(now_);
   }
 
   void stepServer() {
@@ -49,8 +49,8 @@ class ConnectionTest : public testing::Test {
 
   // Connects and sends a first message, so that the server knows the client's number.
   void connect() {
-    ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kConnected; }));
-    connection_.send(Bytes{1, 2, 3}, true);
+    ASSERT_TRUE(stepUntil([this] { return link_.state() == EnetLink::State::kConnected; }));
+    link_.send(Bytes{1, 2, 3}, true);
     ASSERT_TRUE(stepUntil([this] { return !atServer_.empty(); }));
     host_.admit(client_);
   }
@@ -60,15 +60,15 @@ class ConnectionTest : public testing::Test {
   ServerIdentity identity_ = ServerIdentity::random();
   std::optional<std::string> ban_;  // why nobody may join
   Host host_{network_.socket(kServer), identity_, {}, now_, {.ban = [this](const IpAddress&) { return ban_; }}};
-  Connection connection_{network_.socket(kClient), {kServer}, {}};
+  EnetLink link_{network_.socket(kClient), {kServer}, {}};
   ClientId client_ = 0;
   int disconnects_ = 0;
   std::vector<Bytes> atServer_;
   std::vector<Bytes> received_;
 };
 
-TEST_F(ConnectionTest, DeliversMessagesBothWays) {
-  EXPECT_EQ(connection_.state(), Connection::State::kConnecting);
+TEST_F(EnetLinkTest, DeliversMessagesBothWays) {
+  EXPECT_EQ(link_.state(), EnetLink::State::kConnecting);
   connect();
   EXPECT_EQ(atServer_.front(), (Bytes{1, 2, 3}));
   host_.send(client_, true, Bytes{4});
@@ -78,60 +78,60 @@ TEST_F(ConnectionTest, DeliversMessagesBothWays) {
   EXPECT_EQ(received_, (std::vector<Bytes>{{4}, {5, 6}}));
 }
 
-TEST_F(ConnectionTest, KnowsTheServersIdentity) {
-  EXPECT_FALSE(connection_.identity());
+TEST_F(EnetLinkTest, KnowsTheServersIdentity) {
+  EXPECT_FALSE(link_.identity());
   connect();
-  EXPECT_EQ(connection_.identity(), identity_.publicKey());
+  EXPECT_EQ(link_.identity(), identity_.publicKey());
 }
 
 // A kick, as everybody could forge it while ENet's ids were the only secret.
-TEST_F(ConnectionTest, NothingFromOutsideEndsIt) {
+TEST_F(EnetLinkTest, NothingFromOutsideEndsIt) {
   connect();
   for (const auto& each : network_.sent()) network_.inject(each.from, each.to, each.bytes);
   network_.inject(kServer, kClient, Bytes(40, 0xff));
   network_.inject(kServer, kClient, encode(Refusal{3, {}, RefusalReason::kBanned, ""}));
   for (int ms = 0; ms < 100; ++ms) step();
-  EXPECT_EQ(connection_.state(), Connection::State::kConnected);
+  EXPECT_EQ(link_.state(), EnetLink::State::kConnected);
   EXPECT_EQ(disconnects_, 0);
 }
 
-TEST_F(ConnectionTest, SaysWhyTheServerRefusesIt) {
+TEST_F(EnetLinkTest, SaysWhyTheServerRefusesIt) {
   ban_ = "banned for a day";
-  ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kClosed; }));
-  ASSERT_TRUE(connection_.refused());
-  EXPECT_EQ(connection_.refused()->reason, "banned for a day");
-  EXPECT_TRUE(connection_.refused()->permanent);
+  ASSERT_TRUE(stepUntil([this] { return link_.state() == EnetLink::State::kClosed; }));
+  ASSERT_TRUE(link_.refused());
+  EXPECT_EQ(link_.refused()->reason, "banned for a day");
+  EXPECT_TRUE(link_.refused()->permanent);
 }
 
-TEST_F(ConnectionTest, SendsNothingUntilConnected) {
-  connection_.send(Bytes{9}, true);
+TEST_F(EnetLinkTest, SendsNothingUntilConnected) {
+  link_.send(Bytes{9}, true);
   connect();
   EXPECT_EQ(atServer_, (std::vector<Bytes>{{1, 2, 3}}));
 }
 
-TEST_F(ConnectionTest, ClosesAfterQueuedMessagesHaveArrived) {
+TEST_F(EnetLinkTest, ClosesAfterQueuedMessagesHaveArrived) {
   connect();
-  connection_.send(Bytes(500, 7), true);
-  connection_.close();
-  ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kClosed; }));
+  link_.send(Bytes(500, 7), true);
+  link_.close();
+  ASSERT_TRUE(stepUntil([this] { return link_.state() == EnetLink::State::kClosed; }));
   EXPECT_EQ(atServer_.back(), Bytes(500, 7));
   EXPECT_TRUE(stepUntil([this] { return disconnects_ == 1; }));
 }
 
-TEST_F(ConnectionTest, CountsItsTraffic) {
+TEST_F(EnetLinkTest, CountsItsTraffic) {
   connect();
-  const Traffic before = connection_.traffic();
+  const Traffic before = link_.traffic();
   EXPECT_GT(before.sentPackets, 1u);
   EXPECT_GT(before.receivedPackets, 0u);
   host_.send(client_, false, Bytes(1000, 3));
   ASSERT_TRUE(stepUntil([this] { return !received_.empty(); }));
-  EXPECT_GT((connection_.traffic() - before).receivedBytes, 1000u);
-  EXPECT_GT(connection_.traffic().longestDatagram, 1000u);
+  EXPECT_GT((link_.traffic() - before).receivedBytes, 1000u);
+  EXPECT_GT(link_.traffic().longestDatagram, 1000u);
 }
 
 // A server that sends faster than the client handles messages must not stop the client.
-TEST_F(ConnectionTest, ServiceDeliversABoundedNumberOfMessages) {
-  constexpr std::size_t kMessages = 3 * Connection::kMaxMessagesPerService;
+TEST_F(EnetLinkTest, ServiceDeliversABoundedNumberOfMessages) {
+  constexpr std::size_t kMessages = 3 * EnetLink::kMaxMessagesPerService;
   connect();
   for (std::size_t i = 0; i < kMessages; ++i) {
     host_.send(client_, false, Bytes{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8)});
@@ -144,14 +144,14 @@ TEST_F(ConnectionTest, ServiceDeliversABoundedNumberOfMessages) {
     largest = std::max(largest, received_.size() - before);
     return received_.size() == kMessages;
   }));
-  EXPECT_EQ(largest, Connection::kMaxMessagesPerService);
+  EXPECT_EQ(largest, EnetLink::kMaxMessagesPerService);
   for (std::size_t i = 0; i < kMessages; ++i) {
     ASSERT_EQ(received_[i], (Bytes{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8)}));
   }
 }
 
 // What a client says whose handshake is answered with this refusal.
-Connection::Refused refusedWith(std::uint32_t version, RefusalReason reason, const std::string& text = "") {
+EnetLink::Refused refusedWith(std::uint32_t version, RefusalReason reason, const std::string& text = "") {
   DatagramNetwork network;
   const KeyPair keys = KeyPair::random();
   ClientGate gate(network.socket(kClient), {kServer}, {}, keys);
@@ -163,10 +163,10 @@ Connection::Refused refusedWith(std::uint32_t version, RefusalReason reason, con
 }
 
 TEST(RefusalText, SaysWhichProgramToUpdate) {
-  const Connection::Refused newer = refusedWith(kProtocolVersion + 1, RefusalReason::kWrongVersion);
+  const EnetLink::Refused newer = refusedWith(kProtocolVersion + 1, RefusalReason::kWrongVersion);
   EXPECT_TRUE(newer.permanent);
   EXPECT_EQ(newer.reason, otherVersionText("protocol", kProtocolVersion + 1, kProtocolVersion));
-  const Connection::Refused older = refusedWith(kProtocolVersion - 1, RefusalReason::kWrongVersion);
+  const EnetLink::Refused older = refusedWith(kProtocolVersion - 1, RefusalReason::kWrongVersion);
   EXPECT_EQ(older.reason, otherVersionText("protocol", kProtocolVersion - 1, kProtocolVersion));
 }
 
@@ -197,4 +197,4 @@ TEST(RefusalText, SaysThatAPasswordOrTheKnownServerIsMissing) {
 }
 
 }  // namespace
-}  // namespace platon::connection_test
+}  // namespace platon::enet_link_test

@@ -1,4 +1,4 @@
-#include "client/net/connection.h"
+#include "client/net/enet_link.h"
 
 #include <sodium.h>
 
@@ -22,24 +22,24 @@ constexpr ENetAddress kSession{1, 1};
 
 }  // namespace
 
-Connection::Connection(const std::vector<SocketAddress>& addresses, const ServerKnowledge& knowledge)
-    : Connection(std::make_unique<UdpSocket>(), addresses, knowledge) {}
+EnetLink::EnetLink(const std::vector<SocketAddress>& addresses, const ServerKnowledge& knowledge)
+    : EnetLink(std::make_unique<UdpSocket>(), addresses, knowledge) {}
 
-Connection::Connection(std::unique_ptr<DatagramSocket> socket, const std::vector<SocketAddress>& addresses,
-                       const ServerKnowledge& knowledge)
+EnetLink::EnetLink(std::unique_ptr<DatagramSocket> socket, const std::vector<SocketAddress>& addresses,
+                   const ServerKnowledge& knowledge)
     : gate_(std::move(socket), addresses, knowledge, KeyPair::random()),
       host_(createEnetHost(1, randombytes_random())) {
   if (!host_ || !enetUsesOurCalls())
     throw SocketError("cannot use ENet: this program was linked without its transport");
 }
 
-Connection::~Connection() {
+EnetLink::~EnetLink() {
   if (peer_ != nullptr && state_ != State::kClosed) enet_peer_reset(peer_);
 }
 
-void Connection::sendFromEnet(const ENetAddress&, ByteSpan bytes) { gate_.send(bytes, now_); }
+void EnetLink::sendFromEnet(const ENetAddress&, ByteSpan bytes) { gate_.send(bytes, now_); }
 
-std::optional<EnetPort::Received> Connection::receiveForEnet() {
+std::optional<EnetPort::Received> EnetLink::receiveForEnet() {
   while (std::optional<Bytes> content = gate_.receive(now_)) {
     if (!accepts(*content)) continue;
     content_ = std::move(*content);
@@ -48,12 +48,12 @@ std::optional<EnetPort::Received> Connection::receiveForEnet() {
   return std::nullopt;
 }
 
-bool Connection::accepts(ByteSpan content) const {
+bool EnetLink::accepts(ByteSpan content) const {
   const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kServer);
   return commands && peer_ != nullptr && commands->peer == peer_->incomingPeerID && areSequencesNear(*commands, *peer_);
 }
 
-void Connection::service(Time now, const Receiver& receiver) {
+void EnetLink::service(Time now, const Receiver& receiver) {
   now_ = now;
   gate_.beginRound();
   const EnetScope scope(*this, now);
@@ -70,7 +70,7 @@ void Connection::service(Time now, const Receiver& receiver) {
 }
 
 // Until the gate is open, nothing but the handshake can arrive.
-void Connection::shakeHands() {
+void EnetLink::shakeHands() {
   gate_.update(now_);
   gate_.receive(now_);
   gate_.flush(now_);
@@ -80,14 +80,14 @@ void Connection::shakeHands() {
   state_ = State::kClosed;
 }
 
-void Connection::connect() {
+void EnetLink::connect() {
   peer_ = enet_host_connect(host_.get(), &kSession, kChannels, 0);
   if (peer_ == nullptr) throw std::bad_alloc();
   peer_->roundTripTime = kInitialRoundTripMs;
   configurePeer(*peer_);
 }
 
-void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
+void EnetLink::handle(const ENetEvent& event, const Receiver& receiver) {
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
     state_ = State::kConnected;
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
@@ -98,24 +98,24 @@ void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
   }
 }
 
-void Connection::flush(Time now) {
+void EnetLink::flush(Time now) {
   now_ = now;
   const EnetScope scope(*this, now);
   enet_host_flush(host_.get());
   gate_.flush(now);
 }
 
-void Connection::send(std::span<const std::uint8_t> message, bool reliable) {
+void EnetLink::send(std::span<const std::uint8_t> message, bool reliable) {
   if (state_ == State::kConnected) sendMessage(*peer_, message, reliable);
 }
 
-void Connection::close() {
+void EnetLink::close() {
   if (state_ != State::kConnected) return;
   const EnetScope scope(*this, now_);
   enet_peer_disconnect_later(peer_, 0);
 }
 
-std::optional<CryptoKey> Connection::identity() const {
+std::optional<CryptoKey> EnetLink::identity() const {
   return gate_.state() == ClientGate::State::kOpen ? gate_.identity() : std::nullopt;
 }
 
@@ -125,7 +125,7 @@ std::string bannedText(const std::string& reason) {
   return reason.empty() ? "you are banned from this server" : reason;
 }
 
-Connection::Refused explain(const Refusal& refusal) {
+MessageLink::Refused explain(const Refusal& refusal) {
   switch (refusal.reason) {
     case RefusalReason::kWrongVersion:
       return {otherVersionText("protocol", refusal.version, kProtocolVersion), true};
@@ -143,7 +143,7 @@ Connection::Refused explain(const Refusal& refusal) {
 
 }  // namespace
 
-Connection::Refused refusalOf(const ClientGate& gate) {
+MessageLink::Refused refusalOf(const ClientGate& gate) {
   if (gate.state() == ClientGate::State::kNoPassword)
     return {"the server needs a password: write it to a file and name the file after --password-file", true, true};
   if (gate.state() == ClientGate::State::kNoPasswordAsked)
@@ -155,6 +155,13 @@ Connection::Refused refusalOf(const ClientGate& gate) {
                 "the file known_servers",
             true};
   return explain(*gate.refusal());
+}
+
+ServerLinks enetLinks(const ServerAddress& server, const std::optional<ServerAddress>& relay) {
+  const ServerAddress target = relay.value_or(server);
+  return {server.text(), [addresses = resolve(target.host, target.port)](const ServerKnowledge& knowledge) {
+            return std::make_unique<EnetLink>(addresses, knowledge);
+          }};
 }
 
 }  // namespace platon
