@@ -249,6 +249,24 @@ TEST_F(LiveMatchTest, AGoalReachedAtHalfSpeedIsRememberedWithoutATime) {
   match.leave();
 }
 
+TEST_F(LiveMatchTest, WhoIsAlonePlaysTheLevelAnewWhenItsFileChanges) {
+  const std::string file = folder_ / "mine.level";
+  const std::string room = kShortWay;
+  writeText(file, "# title: first\n" + room);
+  MatchChoice choice;
+  choice.own.levels = {file};
+  LiveMatch match(ClientOptions(), choice, clock_);
+  const auto plays = [&](const std::string& title) { return match.level() && match.level()->title == title; };
+  ASSERT_TRUE(updateUntil(match, false, [&] { return plays("first"); }));
+  writeText(file, "# title: broken\nCUBE\n");
+  ASSERT_TRUE(updateUntil(match, false, [&] { return !match.hudStatus().notice.empty(); }));
+  EXPECT_TRUE(plays("first"));
+  EXPECT_TRUE(match.hudStatus().notice.starts_with("level not reloaded: 2:1: error: ")) << match.hudStatus().notice;
+  writeText(file, "# title: second\n" + room);
+  EXPECT_TRUE(updateUntil(match, false, [&] { return plays("second"); }));
+  match.leave();
+}
+
 TEST_F(LiveMatchTest, OnlyAServerThatListensHasAnInvitation) {
   LiveMatch match(ClientOptions(), ownLevel(), clock_);
   EXPECT_TRUE(match.invitation().empty());
