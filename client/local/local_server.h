@@ -54,7 +54,7 @@ class LocalServer {
   /// the server.
   LocalServer(const MatchSettings& settings, std::vector<LevelPointer> levels, BestTimeKeeper* times, Time now);
 
-  /// The links to it; they may outlive it.
+  /// The links to it; those that are connected may outlive it.
   ServerLinks links();
   /// Takes what was sent, runs the ticks that are due at `now`, which never decreases, and sends. A long pause is made
   /// up for as TickClock says.

@@ -134,6 +134,42 @@ void reload(const std::vector<std::string>& files, Match& match) {
   }
 }
 
+// For the clients of this program alone.
+class PrivateServer final : public OwnServer {
+ public:
+  PrivateServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock)
+      : clock_(clock),
+        levelFiles_(filesOf(settings)),
+        bestTimes_(bestTimesOf(keptBestTimes())),
+        server_(matchSettings(settings), load(levelFiles_.files()), &bestTimes_, clock->now()) {}
+  ~PrivateServer() override { tell(bestTimes_.finish()); }
+
+  void step() override {
+    const auto real = std::chrono::steady_clock::now();
+    if (levelFiles_.poll(real)) reload(levelFiles_.files(), server_.match());
+    server_.update(clock_->now());
+    tell(bestTimes_.poll(real));
+  }
+  ServerLinks links() override { return server_.links(); }
+  ServerKnowledge knowledge() const override { return {}; }
+  std::optional<std::uint16_t> port() const override { return std::nullopt; }
+  std::size_t clients() const override { return server_.match().clients(); }
+  bool waits() const override { return server_.match().waits(); }
+  void countTimes(bool count) override { server_.match().countTimes(count); }
+  void keepTimesOf(const SlotsByLocal& slots) override { server_.match().keepTimesOf(slots); }
+  void startNextLevel() override { server_.match().startNextRound(); }
+
+ private:
+  static void tell(const std::optional<std::string>& fault) {
+    if (fault) std::fprintf(stderr, "platon-client: best times not written: %s\n", fault->c_str());
+  }
+
+  std::shared_ptr<const PausableClock> clock_;
+  FileWatch levelFiles_;
+  BestTimeStore bestTimes_;
+  LocalServer server_;
+};
+
 }  // namespace
 
 std::unique_ptr<OwnServer> startServer(const EmbeddedSettings& settings,
@@ -141,49 +177,6 @@ std::unique_ptr<OwnServer> startServer(const EmbeddedSettings& settings,
   if (settings.listens) return std::make_unique<EmbeddedServer>(settings, clock);
   return std::make_unique<PrivateServer>(settings, clock);
 }
-
-struct PrivateServer::Running {
-  Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
-          const std::shared_ptr<const PausableClock>& clock)
-      : now(clock),
-        levelFiles(files),
-        bestTimes(bestTimesOf(keptBestTimes())),
-        server(matchSettings(settings), load(files), &bestTimes, clock->now()) {}
-  ~Running() { tell(bestTimes.finish()); }
-
-  static void tell(const std::optional<std::string>& fault) {
-    if (fault) std::fprintf(stderr, "platon-client: best times not written: %s\n", fault->c_str());
-  }
-
-  std::shared_ptr<const PausableClock> now;
-  FileWatch levelFiles;
-  BestTimeStore bestTimes;
-  LocalServer server;
-};
-
-PrivateServer::PrivateServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock)
-    : running_(std::make_unique<Running>(settings, filesOf(settings), clock)) {}
-
-PrivateServer::~PrivateServer() = default;
-
-void PrivateServer::step() {
-  const auto real = std::chrono::steady_clock::now();
-  if (running_->levelFiles.poll(real)) reload(running_->levelFiles.files(), running_->server.match());
-  running_->server.update(running_->now->now());
-  running_->tell(running_->bestTimes.poll(real));
-}
-
-ServerLinks PrivateServer::links() { return running_->server.links(); }
-
-std::size_t PrivateServer::clients() const { return running_->server.match().clients(); }
-
-bool PrivateServer::waits() const { return running_->server.match().waits(); }
-
-void PrivateServer::countTimes(bool count) { running_->server.match().countTimes(count); }
-
-void PrivateServer::keepTimesOf(const SlotsByLocal& slots) { running_->server.match().keepTimesOf(slots); }
-
-void PrivateServer::startNextLevel() { running_->server.match().startNextRound(); }
 
 struct EmbeddedServer::Running {
   Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,

@@ -51,38 +51,17 @@ class OwnServer {
   virtual void startNextLevel() = 0;
 };
 
-/// Starts a server: an EmbeddedServer if it listens, else a PrivateServer. Throws as they do.
+/// Starts a server: an EmbeddedServer if it listens, else one for the clients of this program alone, which has neither
+/// a thread nor a socket. Throws ProgramError. When the file of its only level changes, a new round plays it. If it is
+/// invalid, the old level stays, and a notice and stderr say why. The server goes by `clock`.
 std::unique_ptr<OwnServer> startServer(const EmbeddedSettings& settings,
                                        const std::shared_ptr<const PausableClock>& clock);
-
-/// A server for the clients of this program alone. It has neither a thread nor a socket.
-class PrivateServer final : public OwnServer {
- public:
-  /// Throws ProgramError. When the file of its only level changes, a new round plays it. If it is invalid, the old
-  /// level stays, and a notice and stderr say why. The server goes by `clock`.
-  PrivateServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock);
-  ~PrivateServer() override;
-
-  void step() override;
-  ServerLinks links() override;
-  ServerKnowledge knowledge() const override { return {}; }
-  std::optional<std::uint16_t> port() const override { return std::nullopt; }
-  std::size_t clients() const override;
-  bool waits() const override;
-  void countTimes(bool count) override;
-  void keepTimesOf(const SlotsByLocal& slots) override;
-  void startNextLevel() override;
-
- private:
-  struct Running;
-  std::unique_ptr<Running> running_;
-};
 
 /// A dedicated server in this program, in a thread of its own unless it is stepped.
 class EmbeddedServer final : public OwnServer {
  public:
-  /// As PrivateServer does; also throws ProgramError if the port is taken. Without `clock` it goes by the clock of the
-  /// system. It has the identity of the user's other servers.
+  /// As startServer; also throws ProgramError if the port is taken. Without `clock` it goes by the clock of the system.
+  /// It has the identity of the user's other servers.
   explicit EmbeddedServer(const EmbeddedSettings& settings,
                           const std::shared_ptr<const PausableClock>& clock = nullptr);
   /// Stops the server.
