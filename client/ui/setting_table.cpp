@@ -13,7 +13,6 @@ namespace platon {
 namespace {
 
 // Stands for an empty text.
-constexpr std::string_view kNone = "none";
 
 constexpr std::array<NamedValue, 5> kTurnSpeeds{
     {{2, "very slow"}, {4, "slow"}, {7, "normal"}, {12, "fast"}, {30, "very fast"}}};
@@ -431,8 +430,8 @@ struct SettingReader {
   bool operator()(QualityPart part) const { return parse(text, part, settings.quality); }
   bool operator()(SettingMember<UntoldElements> untold) const { return parse(text, untold.in(settings)); }
   bool operator()(const SettingText& setting) const {
-    if (text != kNone && !setting.isValid(text)) return false;
-    setting.member.in(settings) = text == kNone ? "" : text;
+    if (text != kNoText && !setting.isValid(text)) return false;
+    setting.member.in(settings) = text == kNoText ? "" : text;
     return true;
   }
 };
@@ -451,7 +450,7 @@ struct SettingWriter {
   Text operator()(SettingMember<UntoldElements> untold) const { return platon::textOf(untold.of(settings)); }
   Text operator()(const SettingText& setting) const {
     const std::string& text = setting.member.of(settings);
-    return text.empty() ? std::string(kNone) : text;
+    return text.empty() ? std::string(kNoText) : text;
   }
 };
 

@@ -55,6 +55,9 @@ struct SettingWords {
   std::string_view lastComma = " or ";  ///< before the last word in a sentence that lists them
 };
 
+/// The word of the settings file for an empty text.
+inline constexpr std::string_view kNoText = "none";
+
 /// A text, which a page of the menu asks for, but not that of the settings. In the file, "none" stands for an empty
 /// one, and spaces in a row for one.
 struct SettingText {

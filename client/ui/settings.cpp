@@ -72,7 +72,7 @@ bool isListUrl(std::string_view text) {
   return text.size() > scheme && text.size() <= kMaxListUrlBytes && isReadable(text);
 }
 
-bool isPlayerName(std::string_view text) { return text != "none" && isLabel(text, kMaxNameBytes); }
+bool isPlayerName(std::string_view text) { return text != kNoText && isLabel(text, kMaxNameBytes); }
 
 void takeName(std::string_view typed, std::string& name) {
   if (!isLabel(typed, kMaxNameBytes)) return;

@@ -179,7 +179,7 @@ std::string KeyHints::look() const {
 std::string KeyHints::lookWays() const {
   const ControlKeys& left = bindings_.keysOf(Control::kLeft);
   const bool arrows = left.first == Key::kArrowLeft || left.second == Key::kArrowLeft;
-  return arrows ? "arrows" : of(Control::kLeft) + " " + of(Control::kRight);
+  return arrows ? "arrows" : sides();
 }
 
 std::string KeyHints::goOn() const {
@@ -190,12 +190,14 @@ std::string KeyHints::goOn() const {
 
 std::string KeyHints::menu() const { return std::string(shownNameOf(gamepad_ ? Key::kPadStart : Key::kEscape)); }
 
+std::string KeyHints::sides() const { return of(Control::kLeft) + " " + of(Control::kRight); }
+
 std::string KeyHints::run() const {
   const ControlKeys& left = bindings_.keysOf(Control::kLeft);
   const ControlKeys& right = bindings_.keysOf(Control::kRight);
   if (gamepad_ && left.pad && right.pad) return nameOf(left.pad) + " " + nameOf(right.pad);
   const std::string second = left.second && right.second ? nameOf(left.second) + " " + nameOf(right.second) : "";
-  return joined(of(Control::kLeft) + " " + of(Control::kRight), " or ", second);
+  return joined(sides(), " or ", second);
 }
 
 std::string KeyHints::keys(Control control) const {

@@ -32,6 +32,8 @@ class KeyHints {
   std::string of(Control control) const;
   /// What a key of the control does: `R: back to the start`.
   std::string to(Control control, const std::string& what) const;
+  /// One key for each side: `← →`.
+  std::string sides() const;
   /// The keys that run to both sides: `← → or A D`.
   std::string run() const;
 
