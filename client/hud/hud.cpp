@@ -44,7 +44,7 @@ using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning
 std::string keysBeside(std::span<const KeyHints> companions) {
   const auto keys = std::find_if_not(companions.begin(), companions.end(), std::mem_fn(&KeyHints::gamepad));
   if (keys == companions.end()) return {};
-  std::string text = keys->of(Control::kLeft) + " " + keys->of(Control::kRight);
+  std::string text = keys->sides();
   for (const Control control : {Control::kUp, Control::kDown, Control::kRestart}) text += " " + keys->of(control);
   return text;
 }
@@ -59,7 +59,7 @@ std::vector<Row> rowsOf(const KeyHints& hints, std::span<const KeyHints> compani
   std::string emotes;
   for (const Control control : {Control::kEmote1, Control::kEmote2, Control::kEmote3, Control::kEmote4})
     emotes += (emotes.empty() ? "" : " ") + hints.of(control);
-  const std::string run = brief ? hints.of(Control::kLeft) + " " + hints.of(Control::kRight) : hints.run();
+  const std::string run = brief ? hints.sides() : hints.run();
   std::vector<Row> rows{{run, pad("stick: 3 speeds"), "run"},
                         row(Control::kSlow, "run slower"),
                         row(Control::kJump, "jump; hold to jump higher"),
@@ -393,17 +393,17 @@ void placeOwnResult(HudSpace& space, const HudPane& pane, const HudStatus& statu
   constexpr float kBelow = 130;  // at the lower edge, for other texts
   const Scene& scene = *pane.scene;
   OwnResult result = ownResultOf(scene, status.run, status.medals);
-  const auto at = [&](float top) {
-    return drawn(font, [&](OverlayWriter& writer) { addOwnResult(writer, result, {space.screen().x / 2, top}); });
+  const auto panel = [&] {
+    return drawn(font, [&](OverlayWriter& writer) { addOwnResult(writer, result, {space.screen().x / 2, kTop}); });
   };
-  const HudBox upper = boundsOf(at(kTop), font);
+  const Overlay whole = panel();
+  const HudBox box = boundsOf(whole, font);
   const bool coversBall =
-      !scene.players.empty() && onScreen(pane, scene.players.back().pose.position).y < upper.high.y + kGapBelow;
-  const float lower = space.startOfFoot() - kBelow - (upper.high.y - upper.low.y);
-  if (coversBall && space.add(at(lower))) return;
-  if (space.add(at(kTop))) return;
+      !scene.players.empty() && onScreen(pane, scene.players.back().pose.position).y < box.high.y + kGapBelow;
+  if (coversBall && space.add(movedBy(whole, {0, space.startOfFoot() - kBelow - box.high.y}))) return;
+  if (space.add(whole)) return;
   result.headline.clear();
-  space.add(at(kTop));
+  space.add(panel());
 }
 
 // At the lower edge the message, above it the notice, and above that what the player may do.
