@@ -29,13 +29,12 @@ void UserInterface::observe(const KeyEvent& event) {
 
 // The keys that change hands are let go; players whose keys stay theirs roll on.
 void UserInterface::join(const KeyEvent& event) {
-  const std::vector<KeyEvent> down = down_;
   const auto ownerOf = [this](const KeyEvent& key) { return devices_.ownerOf(key, settings_.secondKeys); };
   std::vector<std::uint32_t> owners;
-  std::transform(down.begin(), down.end(), std::back_inserter(owners), ownerOf);
+  std::transform(down_.begin(), down_.end(), std::back_inserter(owners), ownerOf);
   deviceChange_ = devices_.toggle(event);
-  for (std::size_t i = 0; i < down.size(); ++i)
-    if (ownerOf(down[i]) != owners[i]) mappers_[owners[i]].handle({down[i].key, KeyEvent::Kind::kRelease}, false);
+  for (std::size_t i = 0; i < down_.size(); ++i)
+    if (ownerOf(down_[i]) != owners[i]) mappers_[owners[i]].handle({down_[i].key, KeyEvent::Kind::kRelease}, false);
   if (isOfGamepad(event.key) && padUsed_ == event.pad) padUsed_.reset();
 }
 
