@@ -1,5 +1,4 @@
 #include "client/bot/bot.h"
-#include "client/net/enet_link.h"
 
 #include <span>
 

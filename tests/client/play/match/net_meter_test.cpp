@@ -1,10 +1,10 @@
-#include "client/net/enet_link.h"
 #include "client/play/match/session_feeds.h"
 
 #include <chrono>
 
 #include <gtest/gtest.h>
 
+#include "client/net/enet_link.h"
 #include "tests/net/support/loopback_server.h"
 
 namespace platon::net_meter_test {
